@@ -181,6 +181,19 @@ TEST_CASE("the edges of a picture are filtered as the texture is used") {
   CHECK(make_texture(picture, options, "test").levels[0].at(0, 0).r > 10);
 }
 
+TEST_CASE("a mirrored picture with a side of one or two texels is resized without reading beside it") {
+  const std::int32_t side = GENERATE(1, 2, 3);
+  TextureOptions options = as("rgb565");
+  options.size = Size{64, 64};
+  options.sampler = {TextureWrap::kMirror, TextureWrap::kMirror};
+  for (const Size size : {Size{33, side}, Size{side, 33}}) {
+    RgbaImage picture(size.width, size.height);
+    for (Rgba8& c : picture.pixels) c = {255, 0, 0, 255};
+    const TextureAndLevels made = make_texture(picture, options, "test");
+    for (const Rgba8 c : made.levels[0].pixels) CHECK(c == Rgba8{255, 0, 0, 255});
+  }
+}
+
 TEST_CASE("a palette holds the colours of the picture, if it can; otherwise they are chosen") {
   RgbaImage picture(16, 16);
   for (std::size_t i = 0; i < 256; ++i) {

@@ -22,18 +22,21 @@ std::uint8_t bits_of(std::int32_t side, const std::string& subject) {
                 "a texture's side must be a power of two from 8 to 1024, not " + std::to_string(side));
 }
 
-stbir_edge edge_of(TextureWrap wrap) {
+/// Of a side of so many texels. The library reads up to two texels beyond an edge, and reflects them without
+/// looking whether there are as many.
+stbir_edge edge_of(TextureWrap wrap, std::int32_t side) {
   if (wrap == TextureWrap::kRepeat) return STBIR_EDGE_WRAP;
-  return wrap == TextureWrap::kClamp ? STBIR_EDGE_CLAMP : STBIR_EDGE_REFLECT;
+  return wrap == TextureWrap::kClamp || side <= 2 ? STBIR_EDGE_CLAMP : STBIR_EDGE_REFLECT;
 }
 
 RgbaImage resized(const RgbaImage& from, std::int32_t width, std::int32_t height, stbir_filter filter,
                   const TextureSampler& sampler) {
   RgbaImage to(width, height);
   constexpr int kAlphaAt = 3;
-  const int done = stbir_resize(&from.pixels[0].r, from.width, from.height, 0, &to.pixels[0].r, width, height,
-                                0, STBIR_TYPE_UINT8, 4, kAlphaAt, 0, edge_of(sampler.u), edge_of(sampler.v),
-                                filter, filter, STBIR_COLORSPACE_SRGB, nullptr);
+  const int done =
+      stbir_resize(&from.pixels[0].r, from.width, from.height, 0, &to.pixels[0].r, width, height, 0,
+                   STBIR_TYPE_UINT8, 4, kAlphaAt, 0, edge_of(sampler.u, from.width),
+                   edge_of(sampler.v, from.height), filter, filter, STBIR_COLORSPACE_SRGB, nullptr);
   if (done == 0) throw std::bad_alloc();  // nothing else can go wrong in it
   return to;
 }

@@ -236,6 +236,20 @@ TEST_CASE("glTF: unlit, two-sided and glowing materials") {
         Vec3{0, to_srgb(0.5), 0});
 }
 
+TEST_CASE("glTF: of an unlit material only the base colour counts") {
+  const json unlit = {{"KHR_materials_unlit", json::object()}};
+  const auto look = [&unlit](const json& factors) {
+    json gltf = square();
+    gltf["materials"][0] = {
+        {"extensions", unlit}, {"emissiveFactor", {1, 0, 0}}, {"pbrMetallicRoughness", factors}};
+    return loaded(gltf).parts[0].look.material;
+  };
+  const FileMaterial green = look({{"baseColorFactor", {0, 1, 0, 1}}});
+  CHECK(*green.colour == to_srgb(Vec3{0, 1, 0}));
+  CHECK(green.emission == Vec3{});
+  CHECK(*look({{"metallicFactor", 0.5}}).colour == to_srgb(Vec3{1, 1, 1}));
+}
+
 TEST_CASE("glTF: a colour or a normal of a vertex that is not finite is left out") {
   json gltf = square();
   gltf["meshes"][0]["primitives"][0]["attributes"] = {{"POSITION", 0}, {"COLOR_0", 2}, {"NORMAL", 2}};

@@ -43,11 +43,13 @@ GltfMaterial from_glossiness(const JsonView& json) {
   return result;
 }
 
-GltfMaterial from_metallic_roughness(const JsonView& material) {
+/// Of an unlit material only the base colour counts: its other factors are for viewers that cannot draw it
+/// so.
+GltfMaterial from_metallic_roughness(const JsonView& material, bool unlit) {
   const std::optional<JsonView> json = material.find("pbrMetallicRoughness");
-  if (!json) return phong_of({1, 1, 1}, 1, 1);
-  return phong_of(colour_or(*json, "baseColorFactor", {1, 1, 1}), factor_or(*json, "metallicFactor", 1),
-                  factor_or(*json, "roughnessFactor", 1));
+  const Vec3 base = json ? colour_or(*json, "baseColorFactor", {1, 1, 1}) : Vec3{1, 1, 1};
+  const auto factor = [&json](const char* key) { return json ? factor_or(*json, key, 1) : 1; };
+  return phong_of(base, unlit ? 0 : factor("metallicFactor"), factor("roughnessFactor"));
 }
 
 /// Materials of 1.0 are Phong's already; their colours are display values.
@@ -147,7 +149,8 @@ GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextur
   const std::optional<JsonView> extensions = json.find("extensions");
   const std::optional<JsonView> glossiness =
       extensions ? extensions->find("KHR_materials_pbrSpecularGlossiness") : std::nullopt;
-  GltfMaterial result = glossiness ? from_glossiness(*glossiness) : from_metallic_roughness(json);
+  const bool unlit = extensions && extensions->find("KHR_materials_unlit");
+  GltfMaterial result = glossiness ? from_glossiness(*glossiness) : from_metallic_roughness(json, unlit);
   if (glossiness) {
     read_texture(file, glossiness, "diffuseTexture", textures, left_out, result);
     if (glossiness->find("specularGlossinessTexture")) left_out.add(kOtherTextures);
@@ -159,10 +162,10 @@ GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextur
                         : alpha_or_one(json.find("pbrMetallicRoughness"), "baseColorFactor"),
              result.material);
   result.material.name = name;
-  result.material.emission = to_srgb(colour_or(json, "emissiveFactor", {}));
+  if (!unlit) result.material.emission = to_srgb(colour_or(json, "emissiveFactor", {}));
   const std::optional<JsonView> two_sided = json.find("doubleSided");
   result.material.two_sided = two_sided && two_sided->truth();
-  result.material.unlit = extensions && extensions->find("KHR_materials_unlit");
+  result.material.unlit = unlit;
   note_what_is_left_out(json, left_out);
   return result;
 }

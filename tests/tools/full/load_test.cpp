@@ -364,6 +364,18 @@ TEST_CASE("OBJ: line ends of old Macs, and a face of too many corners") {
         "too many triangles (more than 262144, the limit)");
 }
 
+TEST_CASE("a small mesh far from the origin keeps its shape") {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+      "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "5000000 0 0\n5000000.3 0 0\n5000000.3 0.1 0\n3 0 1 2\n";
+  const std::string obj = "v 5000000 0 0\nv 5000000.3 0 0\nv 5000000.3 0.1 0\nf 1 2 3\n";
+  for (const MeshData& mesh : {loaded("a.ply", ply), loaded("a.obj", obj)}) {
+    REQUIRE(mesh.positions.size() == 3);
+    CHECK(mesh.positions[1].x - mesh.positions[0].x == Approx(0.3).margin(1e-6));
+  }
+}
+
 TEST_CASE("what a picture does not need is left out, with one warning that names it and its number") {
   const std::string square = kSquare;
   const auto left_out = [](const std::string& obj) {

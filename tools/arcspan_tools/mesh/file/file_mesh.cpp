@@ -3,6 +3,7 @@
 #include <arcspan_tools/mesh/plain/triangulate.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace arcspan::tools {
@@ -46,6 +47,23 @@ Vec3 FileMesh::as_floats(const Vec3& v) {
   return {rounded(v.x), rounded(v.y), rounded(v.z)};
 }
 
+bool FileMesh::fits_floats() const {
+  constexpr double kMostExtents = 64;  // floats so far from the origin have 1/4 of the steps of 16 bits
+  Vec3 low = position(corners_[0].position);
+  Vec3 high = low;
+  double farthest = 0;
+  for (const Corner& corner : corners_) {
+    const Vec3& p = position(corner.position);
+    for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+      low.*axis = std::min(low.*axis, p.*axis);
+      high.*axis = std::max(high.*axis, p.*axis);
+      farthest = std::max(farthest, std::fabs(p.*axis));
+    }
+  }
+  const Vec3 extent = high - low;
+  return farthest <= kMostExtents * std::max({extent.x, extent.y, extent.z});
+}
+
 const Vec3& FileMesh::position(std::uint32_t index) const {
   if (const auto wrong = wrong_.find(index); wrong != wrong_.end()) throw Failure(wrong->second);
   return positions_[index];
@@ -84,6 +102,7 @@ RawModel FileMesh::model(std::vector<PartLook> looks, std::vector<std::string> w
   std::vector<Vec3> polygon;
   for (const Face& face : faces_) {
     polygon.clear();
+  if (fits_floats()) std::ranges::transform(positions_, positions_.begin(), as_floats);
     for (std::size_t i = 0; i < face.size; ++i)
       polygon.push_back(position(corners_[face.first + i].position));
     for (const std::array<std::uint32_t, 3>& t : triangulated(polygon)) {

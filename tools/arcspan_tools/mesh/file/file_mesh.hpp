@@ -67,7 +67,7 @@ class FileMesh {
   template <class Read>
   void add_position(const Read& read) {
     try {
-      positions_.push_back(as_floats(read()));
+      positions_.push_back(read());
     } catch (const Failure& failure) {
       wrong_.emplace(positions_.size(), failure);
       positions_.emplace_back();
@@ -106,6 +106,8 @@ class FileMesh {
   /// Rounded to floats, as binary files have them: a text gives the same mesh, and rounding errors of doubles
   /// do not keep vertices apart.
   static Vec3 as_floats(const Vec3& v);
+  /// Whether the positions of the faces keep their shape as floats.
+  [[nodiscard]] bool fits_floats() const;
   void scale_colours();
   [[nodiscard]] const Vec3& position(std::uint32_t index) const;
   [[nodiscard]] RawMesh::Corner raw(const Corner& corner) const;

@@ -364,6 +364,13 @@ TEST_CASE("OBJ: line ends of old Macs, and a face of too many corners") {
         "too many triangles (more than 262144, the limit)");
 }
 
+TEST_CASE("Collada: nodes without a mesh are no faces") {
+  CHECK(complaint("a.dae",
+                  "<COLLADA version=\"1.4.1\"><library_visual_scenes><visual_scene id=\"s\"><node id=\"n\">"
+                  "<translate>1 0 0</translate></node></visual_scene></library_visual_scenes><scene>"
+                  "<instance_visual_scene url=\"#s\"/></scene></COLLADA>") == "no faces");
+}
+
 TEST_CASE("a small mesh far from the origin keeps its shape") {
   const std::string ply =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"

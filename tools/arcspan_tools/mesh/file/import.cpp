@@ -354,6 +354,8 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   keep_only(importer, wanted);
   std::string text;
   if (wanted == std::string_view("dae")) bytes = text = without_blanks_before_numbers(bytes);
+  // Else the library draws a body around the nodes of a file that has no mesh.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene =
       importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, wanted);
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));

@@ -121,6 +121,26 @@ TEST_CASE(
   CHECK(fixed["textures"][0]["width"] == 64);
 }
 
+TEST_CASE("a budget of bytes does not count the textures of parts that simplification removes") {
+  const TemporaryFolder folder;
+  const std::string texels = "P6\n32 32\n255\n" + std::string(3 * 32 * 32, 'k');
+  (void)folder.file("a.ppm", texels);
+  (void)folder.file("b.ppm", texels);
+  (void)folder.file("m.mtl", "newmtl a\nmap_Kd a.ppm\nnewmtl b\nmap_Kd b.ppm\n");
+  // A plate, and a speck on it with a texture of its own.
+  const std::string obj = folder.file("m.obj",
+                                      "mtllib m.mtl\nv 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 4 4 1\nv 4.1 4 1\n"
+                                      "v 4 4.1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl a\n"
+                                      "f 1/1 2/2 3/3 4/4\nusemtl b\nf 5/1 6/2 7/4\n");
+  const CommandRun made = run("mesh " + obj + " --max-triangles 2 --max-bytes 2000 -o " + (folder / "m.bin") +
+                              " --stats " + (folder / "s.json"));
+  INFO(made.err);
+  REQUIRE(made.status == 0);
+  const auto stats = nlohmann::json::parse(contents(folder / "s.json"));
+  CHECK(stats["textures"].size() == 1);
+  CHECK(stats["mesh"]["triangles"] == 2);
+}
+
 TEST_CASE("a damaged mesh binary is refused in one line") {
   const TemporaryFolder folder;
   const std::string bin = folder / "a.bin";

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace arcspan::tools {
@@ -73,8 +74,8 @@ TextureOptions fitting_textures(const MeshArguments& arguments, CompiledOutput o
                                 const FixedModel& model) {
   TextureOptions options = arguments.texture_options;
   const std::optional<std::size_t> most = arguments.limits.max_bytes;
-  ModelTextures textures = make_textures(model, options);
-  if (!most || options.size || textures.textures.empty()) return options;
+  const auto has_texture = [](const PartLook& look) { return look.material.texture != nullptr; };
+  if (!most || options.size || std::ranges::none_of(model.looks, has_texture)) return options;
   MeshLimits triangles_only = arguments.limits;
   triangles_only.max_bytes.reset();
   const FixedModel whole = compile_model(
@@ -82,12 +83,26 @@ TextureOptions fitting_textures(const MeshArguments& arguments, CompiledOutput o
                                arguments.model, [](std::size_t) {})
                                .model;
   const FixedModel measured = arguments.outlines ? with_neighbours(whole, arguments.model) : whole;
+  ModelTextures textures = make_textures(whole, options);
   const auto fits = [&] { return model_bytes(output, measured, arguments.planes, textures) <= *most; };
   while (!fits() && options.most_side > kLeastShrunkSide) {
     options.most_side /= 2;
-    textures = make_textures(model, options);
+    textures = make_textures(whole, options);
   }
   return options;
+}
+
+/// The textures of the parts that simplification has left, of those of the whole model.
+ModelTextures left_textures(const FixedModel& left, const Made& whole) {
+  ModelTextures textures;
+  std::set<std::size_t> known;
+  for (std::size_t i = 0; i < whole.textures.of_part.size(); ++i) {
+    const std::optional<std::size_t> texture = whole.textures.of_part[i];
+    const bool is_left = std::ranges::find(left.looks, whole.model.looks[i]) != left.looks.end();
+    if (is_left && texture && known.insert(*texture).second)
+      textures.textures.push_back(whole.textures.textures[*texture]);
+  }
+  return textures;
 }
 
 /// The model with what of its rig is stored, if it has one.
@@ -149,7 +164,7 @@ Made make(const MeshArguments& arguments, CompiledOutput output) {
       for (FixedMesh& mesh : whole.meshes) mesh = ordered(mesh);
       whole = with_neighbours(std::move(whole), arguments.model);
     }
-    return model_bytes(output, whole, arguments.planes, made.textures);
+    return model_bytes(output, whole, arguments.planes, left_textures(model, made));
   };
   MeshReport& report = made.report;
   report.model = arguments.model;

@@ -137,9 +137,9 @@ TEST_CASE("limits that cannot be met are said") {
   const auto message = [](const MeshLimits& limits) {
     return message_of<Failure>([&] { (void)compiled(made("torus:24x12"), limits); });
   };
-  CHECK(message({{}, 20, {}}).find("test: cannot be simplified to 20 bytes (the least is ") == 0);
-  CHECK(message({1, 20, {}}).find("test: cannot be simplified to 1 triangles and 20 bytes (the least is ") ==
-        0);
+  CHECK(message({{}, 20, {}}).starts_with("test: cannot be simplified to 20 bytes (no attempt came below "));
+  CHECK(message({1, 20, {}})
+            .starts_with("test: cannot be simplified to 1 triangles and 20 bytes (no attempt came below "));
 }
 
 TEST_CASE("what 16 bits make equal is joined, and triangles without area go") {

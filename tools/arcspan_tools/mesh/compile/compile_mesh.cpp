@@ -46,9 +46,9 @@ class Search {
       if (!keeps_vertices && search(how)) return best_;
     }
     throw Failure(subject_, "cannot be simplified to " + wanted() +
-                                (keeps_vertices ? " with its joints and clips" : "") + " (the least is " +
-                                std::to_string(least_triangles_) + " triangles in " +
-                                std::to_string(least_bytes_) + " bytes)" +
+                                (keeps_vertices ? " with its joints and clips" : "") +
+                                " (no attempt came below " + std::to_string(least_triangles_) +
+                                " triangles or " + std::to_string(least_bytes_) + " bytes)" +
                                 (keeps_vertices ? "; see --pose" : ""));
   }
 

@@ -85,6 +85,10 @@ TEST_CASE("a model binary is posed as the file that it was made of") {
     const std::string options = " --size 40x30 " + how + " -o ";
     CHECK(drawn("render " + binary + options) == drawn("render " + file + options));
   }
+  for (const char* command : {"render ", "turntable --frames 2 "}) {
+    const std::string draw = command + binary + " --size 40x30";
+    CHECK(drawn(draw + " -o ") == drawn(draw + " --pose rest -o "));
+  }
   const std::string still = " --size 40x30 --eye 3,2,5 -o ";
   CHECK(drawn("render " + binary + still) != drawn("render " + binary + " --pose bend@0.5" + still));
   CHECK(run("render " + binary + still + (folder / "a.png")).err ==

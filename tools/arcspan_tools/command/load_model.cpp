@@ -105,8 +105,10 @@ Model load_drawn_model(RenderOptions& options) {
                                throw Failure(options.mesh, "has no clips for --clips");
                              if (options.pose && !anew) check_pose(loaded, *options.pose, options.mesh);
                            });
+  const bool rests = !options.plays() && !options.pose;
+  if (rests) warn_of_clips(model, options.mesh);
+  if (rests && model.binary != nullptr) model = posed(model, PoseChoice{}, options.mesh);
   model.has_curves = options.curved_outlines && model.binary == nullptr;  // whose positions stay
-  if (!options.plays() && !options.pose) warn_of_clips(model, options.mesh);
   warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;
   const std::string by = " by --shading " + options.shading;
@@ -120,9 +122,8 @@ FixedModel with_outlines(FixedModel model, const RenderOptions& options) {
 }
 
 FixedModel to_fixed(const Model& model, const RenderOptions& options) {
-  const bool is_posed = options.pose && moves(model);
-  if (!is_posed && model.binary == nullptr) return with_outlines(to_fixed(model), options);
-  const PoseChoice pose = options.pose.value_or(PoseChoice{});
+  if (!options.pose || !moves(model)) return with_outlines(to_fixed(model), options);
+  const PoseChoice& pose = *options.pose;
   return with_outlines(RuntimeModel(model, options.mesh).posed(pose.clip, pose.seconds), options);
 }
 

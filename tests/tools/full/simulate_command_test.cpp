@@ -100,6 +100,8 @@ TEST_CASE("sending changes only gives the same turn with fewer bytes") {
   const auto bytes = [](const CommandRun& r) { return std::stoi(r.out.substr(r.out.find("sent: ") + 6)); };
   CHECK(bytes(changes) < bytes(whole));
   CHECK(bytes(whole) > 1024);
+  // Sending by I2C waits until all is sent.
+  CHECK(whole.out.find("both, one after the other: ") != std::string::npos);
 }
 
 TEST_CASE(
@@ -124,6 +126,7 @@ TEST_CASE(
   }
   // What it says of other methods is what it says of them alone.
   const std::string by_arc = run("simulate torus:24x12 -o " + (folder / "panel.png")).out;
+  CHECK(by_arc.find("both, overlapped: ") != std::string::npos);
   const std::size_t others = by_arc.find("by other methods: flat ");
   REQUIRE(others != std::string::npos);
   CHECK(std::atof(by_arc.c_str() + others + 23) == instructions("--shading flat"));

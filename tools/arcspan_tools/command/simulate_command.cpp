@@ -219,8 +219,9 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
         totals.grey ? "; textures in grey light" : "");
     if (!totals.other_methods.empty())
       text += formatted("the first frame by other methods: %s\n", totals.other_methods.c_str());
-    text += formatted("both, overlapped: %.3f ms, %.1f frames a second; bottleneck: %s\n", frame_ms,
-                      1000 / frame_ms, draw_ms > bus_ms ? "shading" : "the bus");
+    text += formatted("both, %s: %.3f ms, %.1f frames a second; bottleneck: %s\n",
+                      i2c ? "one after the other" : "overlapped", frame_ms, 1000 / frame_ms,
+                      draw_ms > bus_ms ? "shading" : "the bus");
   } else {
     text += formatted("drawing: no figures of %s on a Cortex-M3\n", totals.without_figures.c_str());
   }

@@ -45,6 +45,17 @@ TEST_CASE("plot draws every figure as SVG, and the first as PNG, where gnuplot i
   }
 }
 
+TEST_CASE("plot draws the same figure whatever settings the user has for gnuplot") {
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0) return;
+  const TemporaryFolder folder;
+  (void)folder.file(".gnuplot", "set size 0.5,0.5\n");
+  const std::string plot = "plot diffuse-error -o " + (folder / "a.svg");
+  REQUIRE(run(plot).status == 0);
+  const std::string usual = contents(folder / "a.svg");
+  REQUIRE(run(plot, "HOME=" + (folder / ". ")).status == 0);
+  CHECK(contents(folder / "a.svg") == usual);
+}
+
 TEST_CASE("plot: what is wrong is said in one line, and nothing is written") {
   struct Case {
     const char* before;

@@ -75,7 +75,8 @@ std::string gnuplot_script(const Figure& figure, PlotFormat format, const std::s
 std::string draw_figure(const Figure& figure, PlotFormat format) {
   ScratchFolder folder;
   const std::string& output = folder.file("figure").path();
-  const std::optional<ChildEnd> end = run_child("gnuplot", {}, gnuplot_script(figure, format, output));
+  // -d: without the user's settings, which would change the figure.
+  const std::optional<ChildEnd> end = run_child("gnuplot", {"-d"}, gnuplot_script(figure, format, output));
   if (!end) throw Failure("gnuplot", "not found; figures are drawn by it (Debian package gnuplot-nox)");
   if (end->status != 0) throw Failure("gnuplot", message_line(end->error_text));
   if (!std::filesystem::exists(output)) throw Failure("gnuplot", "drew nothing");

@@ -13,8 +13,9 @@ namespace {
 
 /// Bash's completions of `words`, of which the last is being typed.
 std::string completed(const TemporaryFolder& folder, const std::string& words) {
-  const std::string script = "source <(" ARCSPAN_COMMAND " completion bash)\nCOMP_WORDS=(" + words +
-                             ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_arcspan\necho \"${COMPREPLY[@]}\"\n";
+  const std::string script =
+      "source <(" ARCSPAN_COMMAND " completion bash)\nCOMP_WORDS=(" + words +
+      ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_arcspan\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n";
   const std::string file = folder.file("complete.sh", script);
   if (std::system(("bash " + file + " >" + (folder / "offers")).c_str()) != 0) return "(failed)";
   return contents(folder / "offers");
@@ -75,8 +76,15 @@ TEST_CASE("bash completes commands, options, values and files") {
   CHECK(completed(folder, "arcspan tu") == "turntable\n");
   CHECK(completed(folder, "arcspan mesh --max-t") == "--max-triangles\n");
   CHECK(completed(folder, "arcspan render x.obj --shading gou") == "gouraud\n");
-  CHECK(completed(folder, "arcspan render x.obj --no-d").find("--no-dither --no-depth") == 0);
+  CHECK(completed(folder, "arcspan render x.obj --no-d").find("--no-dither\n--no-depth\n") == 0);
   CHECK(completed(folder, "arcspan completion fi") == "fish\n");
+  CHECK(completed(folder, "arcspan render x.obj --segment ''") == "adaptive\n");
+  CHECK(completed(folder, "arcspan render x.obj --ambient " + folder.file("of-files", "")) ==
+        (folder / "of-files") + "\n");
+  CHECK(completed(folder, "arcspan compare --draw") == "\n");
   CHECK(completed(folder, "arcspan diff " + folder.file("only-one.png", "")) ==
         (folder / "only-one.png") + "\n");
+  const std::string spaced = folder.file("with a space.png", "");
+  for (const char* before : {"arcspan diff '", "arcspan render -o '"})
+    CHECK(completed(folder, before + (folder / "with a") + "'") == spaced + "\n");
 }

@@ -7,12 +7,18 @@
 namespace arcspan::tools {
 namespace {
 
-/// The choices of a type name such as `flat|gouraud|arc`.
+/// Whether a choice stands for itself, unlike a range (`1...4`) or a place for values (`R,G,B`).
+bool is_word(const std::string& choice) {
+  return choice.find("...") == std::string::npos && choice.find(',') == std::string::npos;
+}
+
+/// The words among the choices of a type name such as `flat|gouraud|arc`.
 std::vector<std::string> choices_of(const std::string& type) {
   std::vector<std::string> choices;
   for (std::size_t at = 0; type.find('|') != std::string::npos && at <= type.size();) {
     const std::size_t end = std::min(type.find('|', at), type.size());
-    choices.push_back(type.substr(at, end - at));
+    const std::string choice = type.substr(at, end - at);
+    if (is_word(choice)) choices.push_back(choice);
     at = end + 1;
   }
   return choices;
@@ -36,7 +42,8 @@ std::vector<std::string> words_of(const CLI::App& command) {
 std::vector<CompletedOption> options_of(const CLI::App& command) {
   std::vector<CompletedOption> options;
   for (const CLI::Option* option : command.get_options()) {
-    if (is_positional(*option)) continue;
+    const bool is_hidden = option->get_group().empty();
+    if (is_positional(*option) || is_hidden) continue;
     CompletedOption found;
     found.help = first_line(option->get_description());
     found.takes_value = option->get_items_expected_max() > 0;
@@ -90,7 +97,7 @@ std::string bash_command(const CompletedCommand& command) {
     for (const std::string& name : names_of(option)) pattern += (pattern.empty() ? "" : "|") + name;
     values += "        " + pattern + ") " +
               (option.choices.empty()
-                   ? "COMPREPLY=($(compgen -f -- \"$word\"))"
+                   ? "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")"
                    : "COMPREPLY=($(compgen -W " + single_quoted(spaced(option.choices)) + " -- \"$word\"))") +
               "; return ;;\n";
   }
@@ -128,7 +135,7 @@ std::string bash_completion(const std::string& program, const std::vector<Comple
          "  esac\n"
          "  case \"$word\" in\n"
          "    -*) COMPREPLY=($(compgen -W \"$names\" -- \"$word\")) ;;\n"
-         "    *) COMPREPLY=($(compgen -W \"$words\" -- \"$word\") $(compgen -f -- \"$word\")) ;;\n"
+         "    *) mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\"; compgen -f -- \"$word\") ;;\n"
          "  esac\n}\ncomplete -o filenames -F _" +
          program + " " + program + "\n";
 }

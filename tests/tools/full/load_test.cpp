@@ -28,6 +28,36 @@ MeshData loaded(const std::string& name, const std::string& bytes) {
   return load_mesh(folder.file(name, bytes));
 }
 
+/// A Collada file of one polygon with six corners whose material is half transparent.
+std::string collada_polygon(const std::string& corners) {
+  const std::string accessor =
+      "<technique_common><accessor source=\"#pa\" count=\"6\" stride=\"3\"><param name=\"X\" "
+      "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
+      "</technique_common>";
+  return "<COLLADA version=\"1.4.1\"><library_effects><effect id=\"e\"><profile_COMMON><technique sid=\"c\">"
+         "<lambert><transparency><float>0.5</float></transparency></lambert></technique></profile_COMMON>"
+         "</effect></library_effects><library_materials><material id=\"m\"><instance_effect url=\"#e\"/>"
+         "</material></library_materials><library_geometries><geometry id=\"g\"><mesh><source id=\"p\">"
+         "<float_array id=\"pa\" count=\"18\">" +
+         corners + "</float_array>" + accessor +
+         "</source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
+         "<polylist material=\"m\" count=\"1\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>"
+         "<vcount>6</vcount><p>0 1 2 3 4 5</p></polylist></mesh></geometry></library_geometries>"
+         "<library_visual_scenes><visual_scene id=\"s\"><node id=\"n\"><instance_geometry url=\"#g\">"
+         "<bind_material><technique_common><instance_material symbol=\"m\" target=\"#m\"/>"
+         "</technique_common></bind_material></instance_geometry></node></visual_scene>"
+         "</library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+}
+
+double area_of(const MeshData& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3& a = mesh.positions[t[0]];
+    area += length(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a)) / 2;
+  }
+  return area;
+}
+
 std::vector<std::string> warnings_of(const std::string& name, const std::string& bytes) {
   const TemporaryFolder folder;
   return load_model_file(folder.file(name, bytes)).warnings;
@@ -362,6 +392,10 @@ TEST_CASE("OBJ: line ends of old Macs, and a face of too many corners") {
   for (int i = 0; i < 6; ++i) many += many.substr(many.find('f'));
   CHECK(complaint("a.obj", many + many.substr(many.find('f'))) ==
         "too many triangles (more than 262144, the limit)");
+}
+
+TEST_CASE("Collada: a concave polygon keeps its notch") {
+  CHECK(area_of(loaded("a.dae", collada_polygon("0 0 0 2 0 0 2 1 0 1 1 0 1 2 0 0 2 0"))) == Approx(3));
 }
 
 TEST_CASE("Collada: nodes without a mesh are no faces") {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/file_mesh.hpp>
 #include <arcspan_tools/mesh/file/import.hpp>
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
 #include <arcspan_tools/mesh/plain/rig.hpp>
+#include <arcspan_tools/mesh/plain/triangulate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
@@ -212,10 +214,7 @@ class SceneDump {
     }
     if (mesh.HasVertexColors(0)) leave_out("vertex colours");
     std::vector<std::uint32_t> corners;
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices == 3) corners.insert(corners.end(), face.mIndices, face.mIndices + 3);
-    }
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) add_face(corners, mesh, mesh.mFaces[f]);
     out["corners"] = binary_of(corners);
     for (unsigned i = 0; i < mesh.mNumBones; ++i) add_joint(out["joints"], *mesh.mBones[i]);
     for (unsigned i = 0; i < mesh.mNumAnimMeshes; ++i) {
@@ -232,6 +231,20 @@ class SceneDump {
 
   void add_joint(nlohmann::json& joints, const aiBone& bone) {
     const std::int64_t node = number_of(bone.mName.C_Str());
+  /// Adds the triangles of a face. The library's own fill the notches of some polygons.
+  void add_face(std::vector<std::uint32_t>& corners, const aiMesh& mesh, const aiFace& face) {
+    if (face.mNumIndices < 3) return;  // points and lines
+    if (face.mNumIndices > kMostCorners) return leave_out("faces of too many corners");
+    std::vector<Vec3> polygon;
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      const aiVector3D& p = mesh.mVertices[face.mIndices[i]];
+      polygon.push_back({p.x, p.y, p.z});
+    }
+    for (const std::array<std::uint32_t, 3>& triangle : triangulated(polygon)) {
+      for (const std::uint32_t corner : triangle) corners.push_back(face.mIndices[corner]);
+    }
+  }
+
     if (node < 0) return leave_out("joints that are not in the scene");
     std::vector<std::uint32_t> vertices;
     std::vector<double> weights;
@@ -356,8 +369,7 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   if (wanted == std::string_view("dae")) bytes = text = without_blanks_before_numbers(bytes);
   // Else the library draws a body around the nodes of a file that has no mesh.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const aiScene* scene =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, wanted);
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, wanted);
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
   std::string cbor;
   nlohmann::json::to_cbor(SceneDump(*scene, format).json(), cbor);

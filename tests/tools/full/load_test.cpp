@@ -236,12 +236,15 @@ TEST_CASE("STL: text and binary, and what can be wrong with them") {
   CHECK(complaint("a.stl", "solid a\nendsolid a\n") == "no faces");
   CHECK(complaint("a.stl", "solid a\n" + facet) == "line 8: the file ends before endsolid");
   CHECK(complaint("a.stl", "solid a\n" + facet.substr(0, 40)) ==
-        "line 4: the file ends before the end of facet 1");
+        "line 4: the file ends before the rest of facet 1");
   CHECK(complaint("a.stl", "solid a\n" + facet.substr(0, 46)) ==
-        "line 4: the file ends before the end of facet 1");
+        "line 4: the file ends before the rest of facet 1");
   std::string wrong = "solid a\n" + facet + "endsolid a\n";
+  wrong.insert(wrong.find(" outer"), " 0");
+  CHECK(complaint("a.stl", wrong) == "line 3: expected 'outer', not '0' in the rest of facet 1");
+  wrong = "solid a\n" + facet + "endsolid a\n";
   wrong.replace(wrong.find("1 0 0"), 1, "nan");
-  CHECK(complaint("a.stl", wrong) == "line 5: 'nan' is not a number up to 1e30 in the end of facet 1");
+  CHECK(complaint("a.stl", wrong) == "line 5: 'nan' is not a number up to 1e30 in the rest of facet 1");
   const std::string neither = "not an STL mesh (neither text that begins with 'solid' nor binary)";
   CHECK(complaint("a.stl", "neither\n") == neither);
   CHECK(complaint("a.stl", std::string(100, 'v')) == neither);  // an OBJ file of another name
@@ -269,7 +272,7 @@ TEST_CASE("STL: text and binary, and what can be wrong with them") {
   solid[133] = static_cast<char>(0x80);
   CHECK(warnings_of("a.stl", solid) == std::vector<std::string>{"left out: face colours (1)"});
   put(10, "\x00\x00\xC0\x7F");
-  CHECK(complaint("a.stl", binary) == "a coordinate of triangle 0 is not a finite number");
+  CHECK(complaint("a.stl", binary) == "a coordinate of triangle 1 is not a finite number");
   binary[82] = 0x7F;
   CHECK(complaint("a.stl", binary) == "too many triangles (8323073; the limit is 262144)");
 }

@@ -58,7 +58,8 @@ RawModel read_binary(std::string_view bytes, const std::string& subject) {
       mesh.add_position([&] {
         const Vec3 position{number(0), number(1), number(2)};
         if (is_coordinate(position)) return position;
-        throw Failure(subject, "a coordinate of triangle " + std::to_string(f) + " is not a finite number");
+        throw Failure(subject,
+                      "a coordinate of triangle " + std::to_string(f + 1) + " is not a finite number");
       });
     }
     add_facet(mesh);
@@ -94,7 +95,7 @@ RawModel read_text(TextLines& lines, const std::string& subject) {
       open = keyword.size() == 5;
       text.skip_to("facet", "normal");  // over a name
     } else if (same_letters(keyword, "facet")) {
-      text.begin("the end of facet " + std::to_string(++facets));
+      text.begin("the rest of facet " + std::to_string(++facets));
       read_facet(text, mesh);
     } else {
       lines.fail("expected 'facet', not " + in_quotes(keyword));

@@ -270,6 +270,8 @@ TEST_CASE("glTF: alpha modes of materials with a texture and without") {
   CHECK(material(quarter, json::object()).opacity == 1);
   CHECK(material(quarter, {{"alphaMode", "BLEND"}}).opacity == 0.25);
   CHECK(material({1, 1, 1}, {{"alphaMode", "BLEND"}}).opacity == 1);
+  CHECK(material(quarter, {{"alphaMode", "FOO"}}).opacity == 1);
+  CHECK(patched("/materials/0/alphaMode", "FOO").warnings == Lines{"left out: unknown alpha modes (1)"});
   CHECK(material(quarter, {{"alphaMode", "MASK"}}).opacity == 0);
   CHECK(material(quarter, {{"alphaMode", "MASK"}, {"alphaCutoff", 0.2}}).opacity == 1);
   CHECK(material(quarter, {{"alphaMode", "BLEND"}}).alpha_mode == AlphaMode::kBlend);

@@ -102,9 +102,10 @@ double alpha_or_one(const std::optional<JsonView>& json, const char* key) {
 }
 
 /// `factor`: the alpha of the base colour, by which that of the texture is multiplied.
-void read_alpha(const JsonView& json, double factor, FileMaterial& material) {
+void read_alpha(const JsonView& json, double factor, FileMaterial& material, LeftOut& left_out) {
   const std::string mode = json.text_or("alphaMode", "OPAQUE");
   if (mode == "OPAQUE") return;
+  if (mode != "MASK" && mode != "BLEND") return left_out.add("unknown alpha modes");
   material.alpha_mode = mode == "MASK" ? AlphaMode::kMask : AlphaMode::kBlend;
   if (mode != "MASK") {
     material.opacity = factor;
@@ -160,7 +161,7 @@ GltfMaterial read_gltf_material(GltfFile& file, const JsonView& json, GltfTextur
   read_alpha(json,
              glossiness ? alpha_or_one(glossiness, "diffuseFactor")
                         : alpha_or_one(json.find("pbrMetallicRoughness"), "baseColorFactor"),
-             result.material);
+             result.material, left_out);
   result.material.name = name;
   if (!unlit) result.material.emission = to_srgb(colour_or(json, "emissiveFactor", {}));
   const std::optional<JsonView> two_sided = json.find("doubleSided");

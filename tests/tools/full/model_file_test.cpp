@@ -236,9 +236,12 @@ TEST_CASE("OBJ: vertex colours, 0...1 or 0...255") {
   const Model bytes = loaded("v 0 0 0 255 51 0\nv 1 0 0 255 51 0\nv 1 1 0 255 51 0\nf 1 2 3\n");
   CHECK(bytes.parts[0].look.material.colour == Vec3{1, 0.2, 0});
   // A vertex without a colour leaves its triangles to their material.
-  CHECK_FALSE(loaded(square + "\nf 1 3 4\n").parts[0].look.material.colour);
+  const Model some = loaded(square + "\nf 1 3 4\n");
+  CHECK_FALSE(some.parts[0].look.material.colour);
+  CHECK(some.warnings == Lines{"left out: vertex colours on some corners of a triangle only (1)"});
   const Model wrong = loaded(square + "x 0 0\nf 1 2 3\nf 1 3 4\n");
-  CHECK(wrong.warnings == Lines{"left out: vertex colours that are not finite numbers (1)"});
+  CHECK(wrong.warnings == Lines{"left out: vertex colours on some corners of a triangle only (1), vertex "
+                                "colours that are not finite numbers (1)"});
   CHECK(wrong.parts.size() == 2);
 }
 

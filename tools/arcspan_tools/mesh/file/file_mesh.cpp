@@ -76,14 +76,18 @@ RawMesh::Corner FileMesh::raw(const Corner& corner) const {
   return raw;
 }
 
-TriangleColour FileMesh::colour_of(const Face& face, const std::array<std::uint32_t, 3>& corners) const {
+TriangleColour FileMesh::colour_of(const Face& face, const std::array<std::uint32_t, 3>& corners) {
   if (face.look.colour) return {true, {*face.look.colour, *face.look.colour, *face.look.colour}};
-  TriangleColour colour{!colours.empty(), {}};
-  for (std::size_t i = 0; i < 3 && colour.known; ++i) {
+  if (colours.empty()) return {};
+  TriangleColour colour;
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
     const std::optional<Vec3>& own = colours[corners_[face.first + corners[i]].position];
-    colour.known = own.has_value();
     if (own) colour.corners[i] = *own;
+    known += own.has_value();
   }
+  colour.known = known == 3;
+  if (known > 0 && known < 3) left_out.add("vertex colours on some corners of a triangle only");
   return colour;
 }
 
@@ -98,11 +102,11 @@ void FileMesh::scale_colours() {
 RawModel FileMesh::model(std::vector<PartLook> looks, std::vector<std::string> warnings) {
   if (faces_.empty()) throw Failure(subject_, "no faces");
   scale_colours();
+  if (fits_floats()) std::ranges::transform(positions_, positions_.begin(), as_floats);
   RawModel model;
   std::vector<Vec3> polygon;
   for (const Face& face : faces_) {
     polygon.clear();
-  if (fits_floats()) std::ranges::transform(positions_, positions_.begin(), as_floats);
     for (std::size_t i = 0; i < face.size; ++i)
       polygon.push_back(position(corners_[face.first + i].position));
     for (const std::array<std::uint32_t, 3>& t : triangulated(polygon)) {

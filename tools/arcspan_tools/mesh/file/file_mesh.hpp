@@ -111,7 +111,7 @@ class FileMesh {
   void scale_colours();
   [[nodiscard]] const Vec3& position(std::uint32_t index) const;
   [[nodiscard]] RawMesh::Corner raw(const Corner& corner) const;
-  [[nodiscard]] TriangleColour colour_of(const Face& face, const std::array<std::uint32_t, 3>& corners) const;
+  [[nodiscard]] TriangleColour colour_of(const Face& face, const std::array<std::uint32_t, 3>& corners);
 
   std::string subject_;
   TriangleCount count_;

@@ -401,6 +401,11 @@ TEST_CASE("Collada: a concave polygon keeps its notch") {
   CHECK(area_of(loaded("a.dae", collada_polygon("0 0 0 2 0 0 2 1 0 1 1 0 1 2 0 0 2 0"))) == Approx(3));
 }
 
+TEST_CASE("Collada: opacity is left out, with a warning") {
+  CHECK(warnings_of("a.dae", collada_polygon("0 0 0 2 0 0 3 1 0 2 2 0 0 2 0 -1 1 0")) ==
+        std::vector<std::string>{"left out: opacity of materials (1)"});
+}
+
 TEST_CASE("Collada: nodes without a mesh are no faces") {
   CHECK(complaint("a.dae",
                   "<COLLADA version=\"1.4.1\"><library_visual_scenes><visual_scene id=\"s\"><node id=\"n\">"

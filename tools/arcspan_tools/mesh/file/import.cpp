@@ -183,7 +183,9 @@ class SceneDump {
     add_colour("emission", 1, AI_MATKEY_COLOR_EMISSIVE);
     if (const auto shininess = number(AI_MATKEY_SHININESS)) look["shininess"] = *shininess;
     // The opacity of a Collada file is left out, because exporters write it in two opposite ways.
-    if (const auto opacity = number(AI_MATKEY_OPACITY); is_fbx && opacity) look["opacity"] = *opacity;
+    const auto opacity = number(AI_MATKEY_OPACITY);
+    if (is_fbx && opacity) look["opacity"] = *opacity;
+    if (!is_fbx && opacity > 0 && opacity < 1) leave_out("opacity of materials");
     for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
       if (material.GetTexture(type, 0, &text) != aiReturn_SUCCESS) continue;
       look["texture"] = text.C_Str();
@@ -229,8 +231,6 @@ class SceneDump {
     return out;
   }
 
-  void add_joint(nlohmann::json& joints, const aiBone& bone) {
-    const std::int64_t node = number_of(bone.mName.C_Str());
   /// Adds the triangles of a face. The library's own fill the notches of some polygons.
   void add_face(std::vector<std::uint32_t>& corners, const aiMesh& mesh, const aiFace& face) {
     if (face.mNumIndices < 3) return;  // points and lines
@@ -245,6 +245,8 @@ class SceneDump {
     }
   }
 
+  void add_joint(nlohmann::json& joints, const aiBone& bone) {
+    const std::int64_t node = number_of(bone.mName.C_Str());
     if (node < 0) return leave_out("joints that are not in the scene");
     std::vector<std::uint32_t> vertices;
     std::vector<double> weights;

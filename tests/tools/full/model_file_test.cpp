@@ -199,6 +199,18 @@ TEST_CASE(
         Lines{"materials that are not defined (1) are drawn in the default look: 'unknown'"});
 }
 
+TEST_CASE("MTL: a picture is looked for beside the material file, then beside the model") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "sub");
+  (void)folder.file("sub/a.mtl", "newmtl m\nmap_Kd t.ppm\n");
+  const std::string obj =
+      folder.file("a.obj", std::string(kFold) + "vt 0 0\nmtllib sub/a.mtl\nusemtl m\nf 1/1 3/1 2/1\n");
+  (void)folder.file("t.ppm", "P6 1 1 255 \1\1\1");
+  CHECK(load_model_file(obj).parts[0].look.material.texture->picture.pixels[0].r == 1);
+  (void)folder.file("sub/t.ppm", "P6 1 1 255 \2\2\2");
+  CHECK(load_model_file(obj).parts[0].look.material.texture->picture.pixels[0].r == 2);
+}
+
 TEST_CASE("OBJ: faces are smoothed within their group, and not at all by s off") {
   const auto normals = [](const std::string& first, const std::string& second) {
     const Model model = loaded(std::string(kFold) + first + "f 1 3 2\n" + second + "f 1 2 4\n");

@@ -40,17 +40,16 @@ void ObjLooks::read_libraries(const std::vector<Readings>& libraries, const Side
   for (std::size_t i = 0; i < libraries.size(); ++i) {
     const auto here = libraries.begin() + static_cast<std::ptrdiff_t>(i);
     if (std::find(libraries.begin(), here, *here) != here) continue;
+    const auto read = [&](const std::string& name) {
+      const std::optional<ReferredFile> file = files(name);
+      const std::string folder = name.substr(0, name.find_last_of("/\\") + 1);
+      if (file) read_mtl(file->bytes, file->subject, folder, materials_);
+      return file.has_value();
+    };
     // The line is one name, which may have blanks, or several.
-    if (const std::optional<ReferredFile> file = find_file(files, *here)) {
-      read_mtl(file->bytes, file->subject, materials_);
-      continue;
-    }
+    if (std::ranges::any_of(*here, read)) continue;
     for (const std::string& name : words_of(here->back())) {
-      if (const std::optional<ReferredFile> file = files(name)) {
-        read_mtl(file->bytes, file->subject, materials_);
-      } else {
-        missing_.insert(name);
-      }
+      if (!read(name)) missing_.insert(name);
     }
   }
 }

@@ -15,7 +15,8 @@ constexpr std::string_view kSilent[] = {"Ni", "Tf", "sharpness", "Km"};
 
 class MtlReader {
  public:
-  MtlReader(TextLines& lines, MtlMaterials& materials) : lines_(lines), materials_(materials) {}
+  MtlReader(TextLines& lines, const std::string& folder, MtlMaterials& materials)
+      : lines_(lines), folder_(folder), materials_(materials) {}
 
   void read() {
     while (lines_.next()) {
@@ -94,7 +95,12 @@ class MtlReader {
     }
     Readings name = lines_.name(at);
     if (name[0].empty()) lines_.fail(in_quotes(words[0]) + " names no file");
-    return name;
+    if (folder_.empty()) return name;
+    // Some programs write where the picture is from the material file, others where it is from the model.
+    Readings names;
+    for (const std::string& reading : name) names.push_back(folder_ + reading);
+    names.insert(names.end(), name.begin(), name.end());
+    return names;
   }
 
   void clamp(bool on) {
@@ -138,6 +144,7 @@ class MtlReader {
   }
 
   TextLines& lines_;
+  const std::string& folder_;
   MtlMaterials& materials_;
   MtlEntry* material_ = nullptr;
   std::optional<Vec3> specular_;
@@ -157,10 +164,11 @@ const MtlEntry* MtlMaterials::find(const Readings& name) const {
   return nullptr;
 }
 
-void read_mtl(std::string_view bytes, const std::string& subject, MtlMaterials& materials) {
+void read_mtl(std::string_view bytes, const std::string& subject, const std::string& folder,
+              MtlMaterials& materials) {
   const std::string text = plain_text(bytes);
   TextLines lines(text, subject, TextLines::Joining::kBackslash);
-  MtlReader(lines, materials).read();
+  MtlReader(lines, folder, materials).read();
 }
 
 void warn_of(const MtlMaterials& materials, std::vector<std::string>& warnings) {

@@ -40,8 +40,9 @@ struct MtlMaterials {
 /// ambient colour if its channels differ; grey ones, which exporters write without a meaning, leave it to Kd.
 /// illum 0 is unlit, 1 has no highlight. d, or 1 - Tr, is the opacity. map_Kd is a texture, clamped with
 /// -clamp on; a Kd of black is then taken for white, because it would hide it. A wrong statement is left out
-/// and counted.
-void read_mtl(std::string_view bytes, const std::string& subject, MtlMaterials& materials);
+/// and counted. `folder` is the file's within that of the model, "" or with a slash at its end.
+void read_mtl(std::string_view bytes, const std::string& subject, const std::string& folder,
+              MtlMaterials& materials);
 
 /// Adds a line for each kind of content of `materials` that is not drawn.
 void warn_of(const MtlMaterials& materials, std::vector<std::string>& warnings);

@@ -97,7 +97,7 @@ std::string bash_command(const CompletedCommand& command) {
     for (const std::string& name : names_of(option)) pattern += (pattern.empty() ? "" : "|") + name;
     values += "        " + pattern + ") " +
               (option.choices.empty()
-                   ? "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")"
+                   ? "local IFS=$'\\n'; COMPREPLY=($(compgen -f -- \"$word\"))"
                    : "COMPREPLY=($(compgen -W " + single_quoted(spaced(option.choices)) + " -- \"$word\"))") +
               "; return ;;\n";
   }
@@ -135,7 +135,9 @@ std::string bash_completion(const std::string& program, const std::vector<Comple
          "  esac\n"
          "  case \"$word\" in\n"
          "    -*) COMPREPLY=($(compgen -W \"$names\" -- \"$word\")) ;;\n"
-         "    *) mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\"; compgen -f -- \"$word\") ;;\n"
+         "    *) COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+         "       local IFS=$'\\n'\n"
+         "       COMPREPLY+=($(compgen -f -- \"$word\")) ;;\n"
          "  esac\n}\ncomplete -o filenames -F _" +
          program + " " + program + "\n";
 }

@@ -625,6 +625,8 @@ TEST_CASE("rigs: keys are added where components do not interpolate a rotation w
   }
   CHECK(worst < 0.0021);
   CHECK(with_close_rotations(turning(100, 30)).keys() == 100);
+  CHECK(with_close_rotations(turning(40'000, 40'000 * 20)).keys() ==
+        40'000);  // a channel has no room for more
 }
 
 TEST_CASE("rigs: weights in 1024ths add up, and are as near as they can be") {

@@ -125,7 +125,7 @@ RigChannel with_close_rotations(const RigChannel& channel) {
     for (int i = 1; i < parts; ++i) add(from + (to - from) * i / parts);
     add(to);
   }
-  return out;
+  return out.keys() <= kMostKeys ? out : channel;
 }
 
 }  // namespace arcspan::tools

@@ -21,7 +21,8 @@ struct ClipTolerance {
 [[nodiscard]] RigChannel in_microseconds(const RigChannel& channel);
 
 /// A linear channel of rotations with keys added between those of the file where interpolation of the
-/// components is off spherical interpolation by more than 0.002 degrees; others as they are.
+/// components is off spherical interpolation by more than 0.002 degrees, unless there would be more than
+/// kMostKeys; others as they are.
 [[nodiscard]] RigChannel with_close_rotations(const RigChannel& channel);
 
 }  // namespace arcspan::tools

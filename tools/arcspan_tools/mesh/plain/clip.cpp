@@ -80,7 +80,6 @@ double RigClip::duration() const {
 std::optional<std::string> wrong_times(const std::vector<double>& times) {
   // Times of the animation binary have 30 bits of microseconds.
   constexpr double kMostSeconds = 1000;
-  constexpr std::size_t kMostKeys = 65'535;
   if (times.empty()) return "has no keys";
   if (times.size() > kMostKeys) return formatted("has more than %zu keys", kMostKeys);
   for (std::size_t i = 0; i < times.size(); ++i) {

@@ -47,6 +47,8 @@ struct RigClip {
   [[nodiscard]] double duration() const;
 };
 
+/// Most keys of a channel.
+inline constexpr std::size_t kMostKeys = 65'535;
 /// The keys of a file have at most this many numbers in all.
 inline constexpr std::size_t kMostKeyNumbers = std::size_t{1} << 24;
 

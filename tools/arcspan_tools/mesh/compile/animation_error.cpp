@@ -40,7 +40,7 @@ class ErrorSearch {
           worst_.clip = clip;
           worst_.seconds = seconds;
         }
-        const Vec3 normal = normal_of(vertex, poser);
+        const Vec3 normal = posed_normal(rest_, poser, vertex);
         if (length(normal) > 0 && length(found.normal) > 0)
           worst_.normal_degrees = std::max(worst_.normal_degrees, degrees_between(normal, found.normal));
       }
@@ -49,12 +49,6 @@ class ErrorSearch {
   [[nodiscard]] const AnimationError& worst() const { return worst_; }
 
  private:
-  /// Right at rest, and carried on by the linear part of joints, as is usual.
-  [[nodiscard]] Vec3 normal_of(const RigVertex& vertex, const RigPoser& poser) const {
-    if (!model_.rig->instances[vertex.instance].skin) return poser.normal(vertex);
-    return poser.place(vertex).direction(carried_normal(rest_, vertex, poser.shaped_normal(vertex)));
-  }
-
   const FixedModel& model_;
   RigPoser rest_;
   AnimationError worst_;

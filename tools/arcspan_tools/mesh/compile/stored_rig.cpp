@@ -28,15 +28,6 @@ std::vector<std::set<std::size_t>> used_joints(const Rig& rig) {
   return used;
 }
 
-/// A vertex that follows one joint of an instance.
-RigVertex follower(std::size_t instance, std::size_t joint) {
-  RigVertex vertex;
-  vertex.instance = instance;
-  vertex.joints[0] = joint;
-  vertex.weights[0] = 1;
-  return vertex;
-}
-
 double volume(const Affine& a) { return std::abs(dot(a.x, cross(a.y, a.z))); }
 
 /// Replaces `place` by that of the first joint of an instance which is by `factor` larger in a pose, in
@@ -45,7 +36,7 @@ void take_larger(Affine& place, const RigPoser& poser, std::size_t instance,
                  const std::set<std::size_t>& joints, double factor) {
   double most = volume(place) * factor;
   for (const std::size_t joint : joints) {
-    const Affine other = poser.place(follower(instance, joint));
+    const Affine other = poser.place(instance, joint);
     if (volume(other) <= most) continue;
     place = other;
     most = volume(other) * kLarger;
@@ -73,12 +64,6 @@ std::vector<Affine> storage_places(const Rig& rig) {
     if (!inverse(place)) place = Affine{};
   }
   return places;
-}
-
-Vec3 carried_normal(const RigPoser& rest, const RigVertex& vertex, Vec3 normal) {
-  const Affine joint = rest.place(follower(vertex.instance, vertex.joints[0]));
-  const std::optional<Affine> back = inverse(joint);
-  return back ? back->direction(joint.normal(normal)) : normal;
 }
 
 std::set<double> key_times(const RigClip& clip) {

@@ -3,7 +3,6 @@
 
 #include <arcspan_tools/mesh/plain/model.hpp>
 #include <arcspan_tools/mesh/plain/rig.hpp>
-#include <arcspan_tools/mesh/plain/rig_pose.hpp>
 
 #include <set>
 #include <vector>
@@ -15,10 +14,6 @@ namespace arcspan::tools {
 /// keys of clips that make it far larger. There a model whose skin is not used stands upright and has its
 /// size.
 [[nodiscard]] std::vector<Affine> storage_places(const Rig& rig);
-
-/// The normal that the linear part of a vertex's first joint takes to where `normal`, in the space of the
-/// mesh, is at rest: another one only if the joint is stretched. The pipeline has no more than linear parts.
-[[nodiscard]] Vec3 carried_normal(const RigPoser& rest, const RigVertex& vertex, Vec3 normal);
 
 /// `model` with its vertices as they are stored for its rig, in place of the pose at rest, and with `reach`:
 /// a box around them, and around the poses at all keys of all clips and at times between, with a margin for

@@ -63,6 +63,11 @@ Affine RigPoser::place(const RigVertex& vertex) const {
   return sum;
 }
 
+Affine RigPoser::place(std::size_t instance, std::size_t joint) const {
+  const RigInstance& of = rig_.instances[instance];
+  return of.skin ? joints_[*of.skin][joint] : nodes_[of.node];
+}
+
 Vec3 RigPoser::shaped_position(const RigVertex& vertex) const {
   Vec3 sum = vertex.position;
   const std::vector<double>& weights = morph_weights_[vertex.instance];
@@ -77,10 +82,17 @@ Vec3 RigPoser::shaped_normal(const RigVertex& vertex) const {
   return sum;
 }
 
-Vec3 RigPoser::normal(const RigVertex& vertex) const {
-  const Affine place = this->place(vertex);
-  const Vec3 shaped = shaped_normal(vertex);
-  return rig_.instances[vertex.instance].skin ? place.direction(shaped) : place.normal(shaped);
+Vec3 carried_normal(const RigPoser& rest, const RigVertex& vertex, Vec3 normal) {
+  const Affine joint = rest.place(vertex.instance, vertex.joints[0]);
+  const std::optional<Affine> back = inverse(joint);
+  return back ? back->direction(joint.normal(normal)) : normal;
+}
+
+Vec3 posed_normal(const RigPoser& rest, const RigPoser& poser, const RigVertex& vertex) {
+  const Affine place = poser.place(vertex);
+  const Vec3 shaped = poser.shaped_normal(vertex);
+  const bool follows_joints = vertex.weights[0] > 0;
+  return follows_joints ? place.direction(carried_normal(rest, vertex, shaped)) : place.normal(shaped);
 }
 
 std::vector<bool> mirrored_vertices(const Rig& rig, const RigPose& pose) {
@@ -116,7 +128,7 @@ Model posed(const Model& model, const RigPose& pose, const std::string& subject)
       mesh.positions[i] = poser.position(vertex);
       if (!finite(mesh.positions[i]) || length(mesh.positions[i]) > kMostCoordinate)
         throw Failure(subject, "a coordinate of the pose is not a number up to 1e30");
-      const Vec3 normal = poser.normal(vertex);
+      const Vec3 normal = posed_normal(rest, poser, vertex);
       // A joint of no size leaves no normal, and none is seen.
       if (finite(normal) && length(normal) > 0) mesh.normals[i] = normalised(normal);
     }

@@ -28,6 +28,8 @@ class RigPoser {
 
   /// Transform of the model's space from that of the mesh, for this vertex: Σ weight · node · inverse bind.
   [[nodiscard]] Affine place(const RigVertex& vertex) const;
+  /// The same for all that follows one joint of an instance's skin, or without a skin its node.
+  [[nodiscard]] Affine place(std::size_t instance, std::size_t joint) const;
   /// In the space of the mesh, with its morph targets.
   [[nodiscard]] Vec3 shaped_position(const RigVertex& vertex) const;
   [[nodiscard]] Vec3 shaped_normal(const RigVertex& vertex) const;
@@ -35,9 +37,6 @@ class RigPoser {
   [[nodiscard]] Vec3 position(const RigVertex& vertex) const {
     return place(vertex).point(shaped_position(vertex));
   }
-  /// In the model's space, of any length: by the linear part of the sum of joints, as is usual, or by the
-  /// node.
-  [[nodiscard]] Vec3 normal(const RigVertex& vertex) const;
   /// Transforms of all nodes to the model's space.
   [[nodiscard]] const std::vector<Affine>& nodes() const { return nodes_; }
 
@@ -47,6 +46,14 @@ class RigPoser {
   std::vector<std::vector<Affine>> joints_;  ///< of each skin: node · inverse bind
   std::vector<std::vector<double>> morph_weights_;
 };
+
+/// The normal that the linear part of a vertex's first joint takes to where `normal`, in the space of the
+/// mesh, is at rest: another one only if the joint is stretched. The pipeline has no more than linear parts.
+[[nodiscard]] Vec3 carried_normal(const RigPoser& rest, const RigVertex& vertex, Vec3 normal);
+
+/// The normal of a vertex in a pose, in the model's space, of any length: by its node, or right at rest and
+/// carried on by the linear part of the sum of joints, as is usual.
+[[nodiscard]] Vec3 posed_normal(const RigPoser& rest, const RigPoser& poser, const RigVertex& vertex);
 
 /// For each vertex of a rig, whether a pose mirrors it and the pose at rest does not, or the reverse:
 /// triangles of such vertices have to turn round to show their fronts.

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // `arcspan mesh` as a user runs it.
 #include <arcspan_tools/image/image_file.hpp>
+#include <arcspan_tools/mesh/file/load.hpp>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
+
+#include <string>
+#include <vector>
 
 using namespace arcspan::tools;
 using namespace arcspan::test;
@@ -199,4 +203,16 @@ TEST_CASE("mesh: wrong arguments and limits out of reach leave nothing behind") 
         "arcspan: " + (folder / "a.txt") + ": a compiled mesh's name must end in .hpp, .h or .bin\n");
   CHECK(run("mesh torus:8x8 --max-bytes 9 -o " + (folder / "a.hpp")).status == 1);
   CHECK(folder.size() == 0);
+}
+
+TEST_CASE("mesh: names of parts that a binary has no room for are cut at a character, and stay different") {
+  const TemporaryFolder folder;
+  const std::string longest(30, 'a');
+  std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const char* end : {"\u00fc", "bc", "bd"}) obj += "o " + longest + end + "\nf 1 2 3\n";
+  const std::string binary = folder / "a.bin";
+  REQUIRE(run("mesh " + folder.file("a.obj", obj) + " -o " + binary).status == 0);
+  std::vector<std::string> names;
+  for (const ModelPart& part : load_model_file(binary).parts) names.push_back(part.look.names.back());
+  CHECK(names == std::vector<std::string>{longest, longest + "b", std::string(29, 'a') + "a2"});
 }

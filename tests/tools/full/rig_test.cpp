@@ -858,6 +858,17 @@ TEST_CASE("rigs: a skin whose joints are all stretched has the normals of the st
   CHECK(animation_error(fixed).normal_degrees < 0.3);
 }
 
+TEST_CASE("rigs: an animation that the library would refuse is not written") {
+  GltfRig rig = bending_tube();
+  rig.clip("bend");
+  rig.channel(2, "rotation", {0, 1}, rig.quadruples(joined({turn_z(0), turn_z(70)})));
+  FixedModel fixed = stored(loaded(rig));
+  FixedAnimation animation = *fixed.animation;
+  std::swap(animation.clips[0].channels[0].times[0], animation.clips[0].channels[0].times[1]);
+  fixed.animation = std::make_shared<FixedAnimation>(animation);
+  CHECK_THROWS_AS(model_binary_file(fixed), Failure);
+}
+
 TEST_CASE("rigs: a name that is too long is cut at a character, and stays the only one of its clip or node") {
   GltfRig rig = bending_tube();
   const std::string thirty = std::string(29, 'a') + "|";

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/animate/animation_binary.hpp>
+#include <arcspan/animate/stored_animation.hpp>
 #include <arcspan/lighting/colour_coefficients.hpp>
 #include <arcspan/model/model_binary.hpp>
 #include <arcspan/model/model_neighbours.hpp>
 
 #include <arcspan_tools/fixed_point/material.hpp>
+#include <arcspan_tools/mesh/plain/clip.hpp>
 #include <arcspan_tools/output/animation_writer.hpp>
 #include <arcspan_tools/output/bytes.hpp>
 #include <arcspan_tools/output/chunk_writer.hpp>
@@ -201,7 +203,7 @@ std::string model_chunk(const FixedModel& model) {
 }
 
 std::string parts_chunk(const FixedModel& model, const ModelTextures& textures) {
-  std::vector<std::string> names = part_names(model);
+  std::vector<std::string> names = shortened(part_names(model), layout::kNameBytes - 1);
   std::string out;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Material material = material_of(model.looks[i]);
@@ -212,10 +214,20 @@ std::string parts_chunk(const FixedModel& model, const ModelTextures& textures) 
     const bool textured = !textures.textures.empty() && textures.of_part[i].has_value();
     append_number(out, textured ? *textures.of_part[i] : layout::kNoTexture, 2);
     append(out, sphere_of(model.meshes[i]));
-    names[i].resize(layout::kNameBytes - 1);
-    out += names[i] + '\0';
+    names[i].resize(layout::kNameBytes);
+    out += names[i];
   }
   return out;
+}
+
+/// Throws if the library refuses the animation of a model binary: no device is to be the first to find that.
+void check_animation(const std::string& file) {
+  StoredModel model;
+  StoredAnimation animation;
+  Status status = view_model_binary({reinterpret_cast<const std::uint8_t*>(file.data()), file.size()}, model);
+  if (ok(status)) status = view_animation(model, animation);
+  if (!ok(status))
+    throw Failure("the model", std::string("its animation cannot be stored: ") + to_string(status));
 }
 
 }  // namespace
@@ -236,7 +248,9 @@ std::string model_binary_file(const FixedModel& model, const ModelTextures& text
     chunks.push_back({layout::kTextureTag, i, texture_chunk(textures.textures[i])});
   std::stable_sort(chunks.begin(), chunks.end(),
                    [](const FileChunk& a, const FileChunk& b) { return a.tag < b.tag; });
-  return chunk_file(chunks);
+  std::string file = chunk_file(chunks);
+  if (model.animation != nullptr) check_animation(file);
+  return file;
 }
 
 }  // namespace arcspan::tools

@@ -9,6 +9,7 @@ void ClipPlayer::Playing::advance(std::uint32_t microseconds, ClipSpeed speed) {
   const std::int64_t step = static_cast<std::int64_t>(microseconds) * speed.raw() + fraction;  // below 2^63
   std::int64_t moved = static_cast<std::int64_t>(time) + (step >> ClipSpeed::kFraction);
   fraction = static_cast<std::uint16_t>(step);
+  if ((step >> ClipSpeed::kFraction) == 0) return;  // a clip that repeats would leave its end
   if (moved < 0 || moved >= duration) {
     if (at_end == AtClipEnd::kStop) {
       moved = moved < 0 ? 0 : duration;
@@ -43,7 +44,6 @@ void ClipPlayer::seek(std::uint32_t microseconds) {
 }
 
 void ClipPlayer::advance(std::uint32_t microseconds) {
-  if (microseconds == 0) return;  // a clip that repeats would leave its end
   now_.advance(microseconds, speed_);
   if (!fades()) return;
   next_.advance(microseconds, speed_);

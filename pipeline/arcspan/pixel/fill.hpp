@@ -14,7 +14,8 @@ namespace detail {
 
 /// Whether words hold a whole number of these elements.
 template <class Element>
-inline constexpr bool kFillsWords = std::is_integral_v<Element> && sizeof(Element) <= 4 && kHasWords;
+inline constexpr bool kFillsWords =
+    std::is_integral_v<Element> && !std::is_same_v<Element, bool> && sizeof(Element) <= 4 && kHasWords;
 
 /// Fills all whole blocks of words from `at` on, which must be aligned for a word. Advances `at` and reduces
 /// `count` by the elements written.

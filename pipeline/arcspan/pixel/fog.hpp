@@ -23,7 +23,7 @@ struct FogRange {
   std::int32_t far_plane = 0;
   std::int32_t start = 0;
   std::int32_t end = 0;
-  bool orthographic = false;  ///< the lens of the camera
+  bool orthographic = false;  ///< whether the camera has an orthographic lens
 };
 
 /// Fog: the share of its colour grows linearly with the distance, from 0 at `start` to 1 at `end`. The share
@@ -111,7 +111,7 @@ class Fog {
   /// The first depth at which the fog hides everything; that of the far plane if there is none.
   [[nodiscard]] static constexpr std::int32_t end_depth(const FogRange& range) {
     std::int32_t clear = kNearest - 1;
-    for (std::int32_t bit = 1 << 15; bit != 0; bit >>= 1) {
+    for (std::int32_t bit = std::int32_t{1} << 15; bit != 0; bit >>= 1) {
       const std::int32_t further = clear + bit;
       if (further < kFarthest && share_at(range, further) < kFull) clear = further;
     }

@@ -48,7 +48,7 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
   for (const SceneLight& light : lights.lights) {
     if (!light.valid()) return Status::kInvalidArgument;
   }
-  return Status::kOk;
+  return in_unit_range(lights.ambient) ? Status::kOk : Status::kInvalidArgument;
 }
 
 [[nodiscard]] bool all_grey(const LightList& lights) {

@@ -24,11 +24,11 @@ namespace arcspan {
 /// A shading method with the features of draw_mesh() that it is used with. A program lists its combinations
 /// in SceneMemory; a method stands for itself with the default features.
 ///
-/// The scene's ambient light is part of a material, and so are strength and colour of the light if the method
-/// takes a single one; draw_scene() refuses others (kLightChanged). If `ChangingLight` is true, which
-/// concerns methods with a single light, draw_scene() makes the material again for each object whose light
-/// differs, as that of point lights does, which takes about as many instructions as 20,000 pixels. Methods
-/// with several lights weight them per pixel and always follow them.
+/// A material is made for the scene's ambient light and, if its method takes a single light, for the strength
+/// and colour of that; under others draw_scene() returns kLightChanged. With `ChangingLight`, for methods
+/// with a single light, it makes the material again instead, for each object whose light differs, as under
+/// point lights it does. That takes about as many instructions as 20,000 pixels. Methods with several lights
+/// weight them per pixel, and follow their strength and colour, but not the ambient light.
 template <ShadingMethod M, DrawFeatures F = DrawFeatures{}, bool ChangingLight = false>
 struct Use {
   using Method = M;
@@ -154,7 +154,8 @@ class PreparedMaterial : public SceneMaterial {
     detail::refused::features_lack_coloured_lights();
     return prepared;
   }
-  /// A material from the method's own data, such as Unlit::lighting(colour).
+  /// A material from the method's own data, such as Unlit::lighting(colour). A lit one is for scenes whose
+  /// ambient light is white.
   constexpr explicit PreparedMaterial(const Lighting& lighting, const DrawOptions& options = {})
       : SceneMaterial(detail::kUseFacts<Used>, options), lighting_(lighting) {}
   /// Black. A place for make().

@@ -10,9 +10,9 @@
 
 namespace arcspan {
 
-/// Which pixels a DepthMode draws. Depths are equal where the same triangles are drawn by one method. Two
-/// methods must both leave out DrawFeatures::small_triangles, whose depths are rounded otherwise: methods
-/// differ in which triangles they draw as such.
+/// Which pixels a DepthMode draws. Depths are equal where one method draws the same triangles. Two methods
+/// must both be used without DrawFeatures::small_triangles: depths of small triangles are rounded otherwise,
+/// and methods differ in which triangles they draw as such.
 enum class DepthCompare : std::uint8_t {
   kNearer,         ///< those nearer than what is there, as a DepthBuffer itself
   kNearerOrEqual,  ///< also those as near: a second layer on the same surface

@@ -47,6 +47,10 @@ TEST_CASE("a clip repeats, or stops at its end") {
   player.seek(2'000'000);
   player.advance(0);
   CHECK(player.time() == 2'000'000);
+  player.set_speed(ClipSpeed{});
+  player.advance(1'000'000);
+  CHECK(player.time() == 2'000'000);
+  player.set_speed(ClipSpeed::of(1));
 
   player.play(clips.bend, AtClipEnd::kStop);
   player.advance(1'999'999);

@@ -42,6 +42,13 @@ TEST_CASE("a format that changes the bits of another one is blended by its own")
       return {c.b, c.g, c.r};
     }
   };
+  struct Rgb555 : Rgb565 {  // rrrrrggg ggbbbbb0
+    static constexpr std::uint16_t encode(Rgb8 c) {
+      return static_cast<std::uint16_t>(((c.r & 0xF8u) << 8) | ((c.g & 0xF8u) << 3) | ((c.b & 0xF8u) >> 2));
+    }
+  };
+  STATIC_REQUIRE(detail::Rgb565Words<Rgb565> && detail::Rgb565Words<Rgb565Swapped>);
+  STATIC_REQUIRE_FALSE(detail::Rgb565Words<Bgr565> || detail::Rgb565Words<Rgb555>);
   constexpr auto kGlass = Opacity<>{24}(PackedRgb::of(1022, 2, 2));
   const Rgb8 mixed = Bgr565::decode(detail::operated<Bgr565>(kGlass, std::uint16_t{0}, 0, 0));
   CHECK(mixed.r > 180);

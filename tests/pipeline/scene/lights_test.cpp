@@ -174,6 +174,18 @@ TEST_CASE("ambient light is part of the material") {
   CHECK(lighting.diffuse_colour({}).rgb8() == Rgb8{});
 }
 
+TEST_CASE("a scene refuses ambient light outside of 0...1") {
+  const MeshView mesh;
+  const std::vector<Object> objects(1, Object(mesh, kRed));
+  Camera camera;
+  REQUIRE(ok(Camera::make({WorldPoint::of(4, 0, 0), {}}, kLens, kScreen, camera)));
+  SceneMemory<SceneMethods, 1, 0> memory;
+  for (const std::int32_t raw : {-1, Coefficient::of(1.0).raw() + 1}) {
+    const ChannelCoefficients ambient{Coefficient::from_raw(raw), {}, {}};
+    CHECK(prepare_scene({camera, {kLights.lights, ambient}, objects}, memory) == Status::kInvalidArgument);
+  }
+}
+
 // A scene whose members are constants takes no RAM: this compiles only if all of it is.
 namespace {
 constexpr ObjectPosition kCorners[] = {{0, 0, 0}, {30000, 0, 0}, {0, 30000, 0}};

@@ -575,6 +575,31 @@ TEST_CASE("rigs: the first node that a clip mirrors") {
   CHECK(mirrored({1, 1, 1, -1, 1, 1, 1, 1, 1}) == 0u);
   CHECK_FALSE(mirrored({1, 1, 1, -1, -1, 1, 1, 1, 1}));
   CHECK_FALSE(mirrored({1, 1, 1, 0, 0, 0, 1, 1, 1}));
+  GltfRig hidden = moved_square("scale", {0, 1}, {-1, 1, 1, 0, 0, 0}, "STEP");
+  hidden.json["nodes"][0]["scale"] = {-1, 1, 1};
+  const Model model = loaded(hidden);
+  CHECK_FALSE(mirrored_node(*model.rig, model.rig->clips[0]));
+}
+
+TEST_CASE("rigs: the range of a morph weight holds cubic curves between their keys") {
+  RigChannel channel;
+  channel.path = ChannelPath::kMorphWeights;
+  channel.interpolation = Interpolation::kCubic;
+  channel.components = 1;
+  channel.times = {0, 1};
+  channel.values = {0, 0, 30, 0, 0, 0};
+  Rig rig;
+  rig.nodes.resize(1);
+  rig.instances.resize(1);
+  rig.instances[0].morph_weights = {0};
+  rig.clips.resize(1);
+  rig.clips[0].channels = {channel};
+  const WeightRange range = weight_ranges(rig, 0)[0];
+  for (int i = 0; i <= 1000; ++i) {
+    const double weight = channel.at(i / 1000.)[0];
+    CHECK((range.low <= weight && weight <= range.high));
+  }
+  CHECK(channel.at(1. / 3)[0] > 4.4);
 }
 
 TEST_CASE("rigs: instances of different skins are different parts, however equal they look") {

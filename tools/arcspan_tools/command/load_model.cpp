@@ -108,7 +108,8 @@ Model load_drawn_model(RenderOptions& options) {
   const bool rests = !options.plays() && !options.pose;
   if (rests) warn_of_clips(model, options.mesh);
   if (rests && model.binary != nullptr) model = posed(model, PoseChoice{}, options.mesh);
-  model.has_curves = options.curved_outlines && model.binary == nullptr;  // whose positions stay
+  model.has_curves =
+      options.curved_outlines && model.binary == nullptr;  // which keeps its positions while it moves
   warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;
   const std::string by = " by --shading " + options.shading;

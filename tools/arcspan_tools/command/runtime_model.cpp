@@ -56,7 +56,8 @@ RigPose pose_of(const Rig& rig, const std::string& clip, double seconds) {
   return pose;
 }
 
-/// Turns triangles round whose vertices, which have these sources, are mirrored.
+/// Exchanges two corners of each triangle whose first vertex is mirrored. `sources` are the vertices of the
+/// rig that those of the mesh are made of.
 void turn_mirrored(const std::vector<std::uint32_t>& sources, const std::vector<bool>& mirrored,
                    std::vector<std::uint16_t>& indices) {
   for (std::size_t i = 0; !sources.empty() && i < indices.size(); i += 3) {

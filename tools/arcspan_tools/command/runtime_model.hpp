@@ -31,9 +31,9 @@ struct ClipLength {
 }
 
 /// A model that moves, posed as a device poses it: by the library, in integers, from the bytes that
-/// `arcspan mesh` writes. Only normals are rounded once more, to the 32 bits of a mesh at rest, and triangles
-/// of a file of other programs turn round where a pose mirrors them, as their file demands. A rig that cannot
-/// be stored is posed in doubles, and a warning says so.
+/// `arcspan mesh` writes. There are two differences: normals are rounded once more, to the 32 bits of a
+/// mesh at rest, and triangles turn round where a pose mirrors them, unless the model was read from a binary.
+/// A rig that cannot be stored is posed in doubles, and a warning says so.
 class RuntimeModel {
  public:
   RuntimeModel(const Model& model, const std::string& subject);

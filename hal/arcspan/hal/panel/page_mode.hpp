@@ -49,7 +49,7 @@ class PageMode {
   /// Draws and sends a whole frame. Calls `draw(Frame& band)` for each band from top to bottom. The band
   /// still holds the pixels of an earlier one. A status of `draw` other than kOk ends the frame.
   ///
-  /// - kInvalidArgument: `rows` is out of range, or the glass no multiple of the layout's steps
+  /// - kInvalidArgument: `rows` is out of range, or a side of the panel no multiple of the layout's steps
   /// - kBufferTooSmall: `band` or `wire` is too small
   /// - kNotReady: the panel is not awake
   /// - others: the first failure of `draw` or the panel
@@ -194,8 +194,9 @@ class PageMode {
 /// Sends `area` of a picture that is in memory as a whole, widened to the layout's steps. One half of `wire`
 /// is filled while the other is sent. Returns when all is sent, so `wire` is free again.
 ///
-/// - kInvalidArgument: `frame` has not the panel's size, which is a multiple of the layout's steps, or `area`
-///   is empty or not inside it
+/// - kInvalidArgument: a side of the panel is no multiple of the layout's steps, `frame` has another size
+/// than
+///   the panel, or `area` is empty or not inside it
 /// - kBufferTooSmall: half of `wire` does not hold one step of rows
 /// - others: the first failure of the panel
 template <PanelDriver P>

@@ -99,14 +99,7 @@ void AnimationSpace::choose_nodes() {
 
 /// A joint that moves no vertex may be too far away for the format; nothing is lost without it.
 void AnimationSpace::leave_out_far_nodes() {
-  std::vector<bool> is_used(rig_.nodes.size());
-  for (const RigVertex& vertex : rig_.vertices) {
-    const RigInstance& instance = rig_.instances[vertex.instance];
-    if (!instance.skin) is_used[instance.node] = true;
-    for (std::size_t i = 0; i < kMostWeights && instance.skin; ++i) {
-      if (vertex.weights[i] > 0) is_used[rig_.skins[*instance.skin].joints[vertex.joints[i]]] = true;
-    }
-  }
+  std::vector<bool> is_used = followed_nodes(rig_);
   for (std::size_t i = rig_.nodes.size(); i > 0; --i) {
     const std::optional<std::size_t> parent = rig_.nodes[i - 1].parent;
     if (parent && is_used[i - 1]) is_used[*parent] = true;

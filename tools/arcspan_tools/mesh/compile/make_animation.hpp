@@ -17,8 +17,7 @@ struct ClipOptions {
       0;  ///< of translations, in parts of the model's extent; of scales and morph weights as it is
 };
 
-/// The name that each clip of a rig has in its animation, by its own: the same, or if that is too long a
-/// part.
+/// The stored names of the clips of a rig by their own: shortened() to 31 bytes.
 [[nodiscard]] std::map<std::string, std::string> stored_clip_names(const Rig& rig);
 
 /// The animation of a compiled model that has a rig, in the formats of docs/animation-binary.md. Throws a

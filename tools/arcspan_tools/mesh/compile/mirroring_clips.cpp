@@ -6,22 +6,6 @@
 #include <vector>
 
 namespace arcspan::tools {
-namespace {
-
-/// For each node, whether vertices follow it.
-std::vector<bool> followed_nodes(const Rig& rig) {
-  std::vector<bool> followed(rig.nodes.size());
-  for (const RigInstance& instance : rig.instances) {
-    if (!instance.skin) {
-      followed[instance.node] = true;
-      continue;
-    }
-    for (const std::size_t joint : rig.skins[*instance.skin].joints) followed[joint] = true;
-  }
-  return followed;
-}
-
-}  // namespace
 
 std::optional<std::size_t> mirrored_node(const Rig& rig, const RigClip& clip) {
   constexpr std::size_t kMostPosedNodes = 1'000'000;
@@ -30,7 +14,7 @@ std::optional<std::size_t> mirrored_node(const Rig& rig, const RigClip& clip) {
   for (const double time : times_between(key_times(clip), 2, kMostPosedNodes / rig.nodes.size())) {
     const RigPoser poser(rig, pose_at(rig, clip, time));
     for (std::size_t i = 0; i < rig.nodes.size(); ++i) {
-      if (followed[i] && poser.nodes()[i].mirrors() != rest.nodes()[i].mirrors()) return i;
+      if (followed[i] && poser.nodes()[i].determinant() * rest.nodes()[i].determinant() < 0) return i;
     }
   }
   return std::nullopt;

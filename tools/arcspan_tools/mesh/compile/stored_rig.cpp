@@ -28,10 +28,10 @@ std::vector<std::set<std::size_t>> used_joints(const Rig& rig) {
   return used;
 }
 
-double volume(const Affine& a) { return std::abs(dot(a.x, cross(a.y, a.z))); }
+double volume(const Affine& a) { return std::abs(a.determinant()); }
 
-/// Replaces `place` by that of the first joint of an instance which is by `factor` larger in a pose, in
-/// volume.
+/// Replaces `place` by the largest of the places of joints, by volume, if that is more than `factor` times as
+/// large. Of those within 1 % the first is taken.
 void take_larger(Affine& place, const RigPoser& poser, std::size_t instance,
                  const std::set<std::size_t>& joints, double factor) {
   double most = volume(place) * factor;
@@ -93,18 +93,33 @@ void WeightRange::extend(double weight) {
   high = std::max(high, weight);
 }
 
+namespace {
+
+/// A cubic curve lies between its ends and what its tangents reach in a third of the time (Bezier's points).
+void extend(std::vector<WeightRange>& ranges, const RigChannel& channel) {
+  const bool cubic = channel.interpolation == Interpolation::kCubic;
+  for (std::size_t key = 0; key < channel.keys(); ++key) {
+    const double* const value = channel.value(key);
+    const double before = key == 0 ? 0 : channel.times[key] - channel.times[key - 1];
+    const double after = key + 1 == channel.keys() ? 0 : channel.times[key + 1] - channel.times[key];
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      ranges[i].extend(value[i]);
+      if (!cubic) continue;
+      ranges[i].extend(value[i] - before / 3 * (value - ranges.size())[i]);
+      ranges[i].extend(value[i] + after / 3 * (value + ranges.size())[i]);
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<WeightRange> weight_ranges(const Rig& rig, std::size_t instance) {
   const RigInstance& of = rig.instances[instance];
   std::vector<WeightRange> ranges(of.morph_weights.size());
-  const auto extend = [&ranges](const std::vector<double>& weights) {
-    for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i].extend(weights[i]);
-  };
-  extend(of.morph_weights);
+  for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i].extend(of.morph_weights[i]);
   for (const RigClip& clip : rig.clips) {
     for (const RigChannel& channel : clip.channels) {
-      if (channel.node != of.node || channel.path != ChannelPath::kMorphWeights) continue;
-      const std::set<double> keys(channel.times.begin(), channel.times.end());
-      for (const double time : times_between(keys, kParts, kParts * keys.size())) extend(channel.at(time));
+      if (channel.node == of.node && channel.path == ChannelPath::kMorphWeights) extend(ranges, channel);
     }
   }
   return ranges;

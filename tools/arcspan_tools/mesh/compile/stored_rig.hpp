@@ -10,9 +10,9 @@
 namespace arcspan::tools {
 
 /// The space in which the vertices of each instance of a rig are stored, as a transform from that of its
-/// mesh: where its node, or the largest joint of its skin that moves vertices, puts it at rest, or at
-/// keys of clips that make it far larger. There a model whose skin is not used stands upright and has its
-/// size.
+/// mesh: the place at rest of its node or, with a skin, of the largest joint that moves vertices; if a clip
+/// makes a joint more than 16 times as large, its place at that key (of 64 keys of a clip). In it a model
+/// whose skin is not used stands upright and has its size.
 [[nodiscard]] std::vector<Affine> storage_places(const Rig& rig);
 
 /// `model` with its vertices as they are stored for its rig, in place of the pose at rest, and with `reach`:

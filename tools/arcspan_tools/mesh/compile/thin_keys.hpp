@@ -16,8 +16,8 @@ struct ClipTolerance {
 /// are all alike has one. Cubic channels, whose tangents belong to the keys, keep them all.
 [[nodiscard]] RigChannel thinned(const RigChannel& channel, const ClipTolerance& tolerance);
 
-/// `channel` with its keys at whole microseconds. Of keys within the same one, which are a jump, the later is
-/// moved to the next one, or left out if another key is there.
+/// `channel` with its keys at whole microseconds. Of two within one microsecond, which are a jump, the later
+/// is moved to the next microsecond, or left out if another key is there.
 [[nodiscard]] RigChannel in_microseconds(const RigChannel& channel);
 
 /// A linear channel of rotations with keys added between those of the file where interpolation of the

@@ -48,7 +48,7 @@ Vec3 FileMesh::as_floats(const Vec3& v) {
 }
 
 bool FileMesh::fits_floats() const {
-  constexpr double kMostExtents = 64;  // floats so far from the origin have 1/4 of the steps of 16 bits
+  constexpr double kMostExtents = 64;  // there a step of floats is 1/4 of a step of 16 bits
   Vec3 low = position(corners_[0].position);
   Vec3 high = low;
   double farthest = 0;

@@ -182,7 +182,8 @@ class SceneDump {
                AI_MATKEY_COLOR_SPECULAR);
     add_colour("emission", 1, AI_MATKEY_COLOR_EMISSIVE);
     if (const auto shininess = number(AI_MATKEY_SHININESS)) look["shininess"] = *shininess;
-    // The opacity of a Collada file is left out, because exporters write it in two opposite ways.
+    // Opacity of Collada and 3DS is left out, because exporters write it in two opposite ways. 0 and 1 may
+    // both mean opaque.
     const auto opacity = number(AI_MATKEY_OPACITY);
     if (is_fbx && opacity) look["opacity"] = *opacity;
     if (!is_fbx && opacity > 0 && opacity < 1) leave_out("opacity of materials");
@@ -231,7 +232,7 @@ class SceneDump {
     return out;
   }
 
-  /// Adds the triangles of a face. The library's own fill the notches of some polygons.
+  /// Adds the triangles of a face. Those of Assimp fill the notches of some polygons.
   void add_face(std::vector<std::uint32_t>& corners, const aiMesh& mesh, const aiFace& face) {
     if (face.mNumIndices < 3) return;  // points and lines
     if (face.mNumIndices > kMostCorners) return leave_out("faces of too many corners");

@@ -24,7 +24,9 @@ struct Affine {
     const Vec3 turned = cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
     return mirrors() ? turned * -1 : turned;
   }
-  [[nodiscard]] constexpr bool mirrors() const { return dot(x, cross(y, z)) < 0; }
+  /// Of the linear part: the factor of volumes, below 0 if the map mirrors.
+  [[nodiscard]] constexpr double determinant() const { return dot(x, cross(y, z)); }
+  [[nodiscard]] constexpr bool mirrors() const { return determinant() < 0; }
 
   /// Applies `b` first.
   friend constexpr Affine operator*(const Affine& a, const Affine& b) {
@@ -47,7 +49,7 @@ constexpr void add_weighted(Affine& sum, const Affine& a, double weight) {
 
 /// The map that takes back what `a` does; nothing if that is flat.
 [[nodiscard]] inline std::optional<Affine> inverse(const Affine& a) {
-  const double determinant = dot(a.x, cross(a.y, a.z));
+  const double determinant = a.determinant();
   if (!(std::abs(determinant) > 1e-12 * length(a.x) * length(a.y) * length(a.z))) return std::nullopt;
   const Vec3 r0 = cross(a.y, a.z) * (1 / determinant);
   const Vec3 r1 = cross(a.z, a.x) * (1 / determinant);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace arcspan::tools {
@@ -107,12 +108,13 @@ std::optional<std::string> wrong_values(const RigChannel& channel) {
 void name_clips(std::vector<RigClip>& clips) {
   std::set<std::string> taken;  // first by the file
   for (const RigClip& clip : clips) taken.insert(clip.name);
-  std::set<std::string> met;
+  std::map<std::string, std::size_t> next;  // numbers for the names that were met
   for (std::size_t i = 0; i < clips.size(); ++i) {
     std::string& name = clips[i].name;
-    if (!name.empty() && met.insert(name).second) continue;
+    if (!name.empty() && next.try_emplace(name, 2).second) continue;
     const std::string base = name.empty() ? "clip" : name;
-    std::size_t n = name.empty() ? i + 1 : 2;
+    std::size_t own = i + 1;
+    std::size_t& n = name.empty() ? own : next[base];
     do {
       name = base + std::to_string(n++);
     } while (!taken.insert(name).second);
@@ -124,11 +126,12 @@ std::vector<std::string> shortened(std::vector<std::string> names, std::size_t m
   for (const std::string& name : names) {
     if (name.size() <= most) taken.insert(name);
   }
+  std::map<std::string, std::size_t> next;  // numbers for the beginnings of long names
   for (std::string& name : names) {
     if (name.size() <= most) continue;
     const std::string whole = name;
     name = beginning(whole, most);
-    for (std::size_t n = 2; !taken.insert(name).second; ++n) {
+    for (std::size_t& n = next.try_emplace(name, 2).first->second; !taken.insert(name).second; ++n) {
       const std::string number = std::to_string(n);
       name = beginning(whole, most - number.size()) + number;
     }

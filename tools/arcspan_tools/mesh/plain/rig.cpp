@@ -22,6 +22,18 @@ bool can_open(const Rig& rig, const std::array<std::uint32_t, 3>& vertices,
   return differ;
 }
 
+std::vector<bool> followed_nodes(const Rig& rig) {
+  std::vector<bool> followed(rig.nodes.size());
+  for (const RigVertex& vertex : rig.vertices) {
+    const RigInstance& instance = rig.instances[vertex.instance];
+    if (!instance.skin) followed[instance.node] = true;
+    for (std::size_t i = 0; i < kMostWeights && instance.skin; ++i) {
+      if (vertex.weights[i] > 0) followed[rig.skins[*instance.skin].joints[vertex.joints[i]]] = true;
+    }
+  }
+  return followed;
+}
+
 std::vector<bool> moved_nodes(const Rig& rig) {
   std::vector<bool> moved(rig.nodes.size());
   for (const RigClip& clip : rig.clips) {

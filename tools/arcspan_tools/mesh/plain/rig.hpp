@@ -68,8 +68,8 @@ struct Rig {
   std::vector<RigClip> clips{};
 };
 
-/// Whether two vertices stay where they are to each other in every pose, but for the transform of their
-/// mesh: they follow the same joints and morph targets alike.
+/// Whether one affine map moves both vertices in every pose: they follow the same joints and morph targets
+/// alike.
 [[nodiscard]] bool move_alike(const RigVertex& a, const RigVertex& b);
 
 /// Whether a pose can give an area to a triangle that has none where its vertices are stored: they move
@@ -77,6 +77,9 @@ struct Rig {
 /// position.
 [[nodiscard]] bool can_open(const Rig& rig, const std::array<std::uint32_t, 3>& vertices,
                             const std::array<bool, 3>& joined);
+
+/// For each node, whether vertices follow it.
+[[nodiscard]] std::vector<bool> followed_nodes(const Rig& rig);
 
 /// For each node, whether a clip moves it or one of its ancestors.
 [[nodiscard]] std::vector<bool> moved_nodes(const Rig& rig);

@@ -47,12 +47,12 @@ class RigPoser {
   std::vector<std::vector<double>> morph_weights_;
 };
 
-/// The normal that the linear part of a vertex's first joint takes to where `normal`, in the space of the
-/// mesh, is at rest: another one only if the joint is stretched. The pipeline has no more than linear parts.
+/// The pipeline moves normals by the linear parts of matrices, which is wrong below a stretched joint. So not
+/// n is stored but n' with A n' = A^-T n, where A is the linear part of the vertex's first joint at rest.
 [[nodiscard]] Vec3 carried_normal(const RigPoser& rest, const RigVertex& vertex, Vec3 normal);
 
-/// The normal of a vertex in a pose, in the model's space, of any length: by its node, or right at rest and
-/// carried on by the linear part of the sum of joints, as is usual.
+/// The normal of a vertex in a pose, in the model's space, of any length: by its node, or its
+/// carried_normal() by the linear part of the sum of its joints.
 [[nodiscard]] Vec3 posed_normal(const RigPoser& rest, const RigPoser& poser, const RigVertex& vertex);
 
 /// For each vertex of a rig, whether a pose mirrors it and the pose at rest does not, or the reverse:

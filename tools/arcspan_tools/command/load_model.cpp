@@ -108,8 +108,8 @@ Model load_drawn_model(RenderOptions& options) {
   const bool rests = !options.plays() && !options.pose;
   if (rests) warn_of_clips(model, options.mesh);
   if (rests && model.binary != nullptr) model = posed(model, PoseChoice{}, options.mesh);
-  model.has_curves =
-      options.curved_outlines && model.binary == nullptr;  // which keeps its positions while it moves
+  const bool keeps_positions = model.binary != nullptr;  // a binary that moves leaves curves no room
+  model.has_curves = options.curved_outlines && !keeps_positions;
   warn_without_effect(options, model);
   if (shading_draws_effects(options.shading)) return model;
   const std::string by = " by --shading " + options.shading;

@@ -10,11 +10,9 @@
 #include <arcspan_tools/image/side_by_side.hpp>
 #include <arcspan_tools/mesh/compile/animation_error.hpp>
 #include <arcspan_tools/mesh/compile/make_animation.hpp>
-#include <arcspan_tools/mesh/compile/mirroring_clips.hpp>
 #include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/compile/stored_rig.hpp>
 #include <arcspan_tools/mesh/compile/tidy.hpp>
-#include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/render/scene.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -112,16 +110,6 @@ FixedModel with_animation(FixedModel model, const MeshArguments& arguments) {
   return model;
 }
 
-/// Names clips whose triangles a device shows from behind, because it has one order of their corners.
-void warn_of_mirroring(const Rig& rig, const std::string& name) {
-  for (const RigClip& clip : rig.clips) {
-    const std::optional<std::size_t> node = mirrored_node(rig, clip);
-    if (!node) continue;
-    warn(name, "the clip " + in_quotes(clip.name) + " mirrors the node " + in_quotes(rig.nodes[*node].name) +
-                   ", whose triangles show their backs then");
-  }
-}
-
 /// Refuses what a model that moves cannot have; a C++ source for C holds it as it stands at rest.
 void check_rig(const MeshArguments& arguments, CompiledOutput output, Model& model) {
   if (model.binary != nullptr) {
@@ -141,7 +129,6 @@ void check_rig(const MeshArguments& arguments, CompiledOutput output, Model& mod
   if (arguments.planes) throw Failure("--planes", needs + "planes do not");
   if (arguments.limits.crease_degrees)
     throw Failure("--crease", needs + "normals are made anew for one pose");
-  warn_of_mirroring(*model.rig, arguments.model);
 }
 
 Made make(const MeshArguments& arguments, CompiledOutput output) {

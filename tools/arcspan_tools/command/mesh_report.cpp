@@ -7,6 +7,7 @@
 #include <arcspan_tools/command/forecast_report.hpp>
 #include <arcspan_tools/command/mesh_report.hpp>
 #include <arcspan_tools/command/render_report.hpp>
+#include <arcspan_tools/mesh/compile/mirroring_clips.hpp>
 #include <arcspan_tools/mesh/file/text_lines.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/support/printable.hpp>
@@ -238,6 +239,16 @@ nlohmann::ordered_json parts_json(const FixedModel& model) {
 
 nlohmann::ordered_json corner(const ObjectPosition& p) { return {p.x, p.y, p.z}; }
 
+/// A device has one order of the corners of a triangle, so that a mirrored one shows its back.
+void add_mirroring_clips(const Rig& rig, std::vector<std::string>& lines) {
+  for (const RigClip& clip : rig.clips) {
+    const std::optional<std::size_t> node = mirrored_node(rig, clip);
+    if (!node) continue;
+    lines.push_back("the clip " + in_quotes(clip.name) + " mirrors the node " +
+                    in_quotes(rig.nodes[*node].name) + ", whose triangles show their backs then");
+  }
+}
+
 }  // namespace
 
 std::string to_text(const MeshReport& r) {
@@ -315,6 +326,7 @@ std::vector<std::string> warnings(const MeshReport& r) {
         "triangles, or more edges sharp by --crease 60 or a smaller angle)",
         r.figures.wide_triangles, triangles(r)));
   }
+  if (r.compiled.model.rig != nullptr) add_mirroring_clips(*r.compiled.model.rig, lines);
   const auto& animation = r.compiled.model.animation;
   if (animation != nullptr && !animation->cut_names.empty()) {
     lines.push_back(

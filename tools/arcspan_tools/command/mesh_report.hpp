@@ -41,8 +41,8 @@ struct MeshReport {
 /// For machines: one object.
 [[nodiscard]] std::string to_json(const MeshReport& report);
 
-/// What may look wrong or is not as in the file: normals of a triangle that are more than 60 degrees apart,
-/// names that are cut.
+/// Warnings: triangles whose normals are more than 60 degrees apart, clips that mirror nodes, names that are
+/// cut.
 [[nodiscard]] std::vector<std::string> warnings(const MeshReport& report);
 
 }  // namespace arcspan::tools

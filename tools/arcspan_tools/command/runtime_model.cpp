@@ -47,7 +47,7 @@ void require_ok(Status status, const std::string& subject) {
   if (!ok(status)) throw Failure(subject, std::string("its animation cannot be used: ") + to_string(status));
 }
 
-/// Of a clip of this name, or at rest.
+/// The pose of the clip of this name, or that at rest if there is none.
 RigPose pose_of(const Rig& rig, const std::string& clip, double seconds) {
   RigPose pose = rest_pose(rig);
   for (const RigClip& known : rig.clips) {

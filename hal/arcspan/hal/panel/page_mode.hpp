@@ -194,9 +194,8 @@ class PageMode {
 /// Sends `area` of a picture that is in memory as a whole, widened to the layout's steps. One half of `wire`
 /// is filled while the other is sent. Returns when all is sent, so `wire` is free again.
 ///
-/// - kInvalidArgument: a side of the panel is no multiple of the layout's steps, `frame` has another size
-/// than
-///   the panel, or `area` is empty or not inside it
+/// - kInvalidArgument: a side of the panel is no multiple of the layout's steps, `frame` has another size, or
+///   `area` is empty or not inside it
 /// - kBufferTooSmall: half of `wire` does not hold one step of rows
 /// - others: the first failure of the panel
 template <PanelDriver P>

@@ -8,7 +8,7 @@
 namespace arcspan::tools {
 namespace {
 
-/// Of the time between two keys: curves are farther out between them than at them.
+/// Poses are looked at at so many times per interval of two keys: between keys a vertex may be farther out.
 constexpr std::size_t kParts = 16;
 
 /// By how much a volume must be larger to count as larger.
@@ -149,39 +149,31 @@ void extend(Box& box, const Model& model, const RigPose& pose) {
   }
 }
 
-/// The largest coordinate of what morph targets add.
-double largest_delta(const Model& model) {
-  const std::vector<Affine> places = storage_places(*model.rig);
-  double largest = 0;
-  for (const RigVertex& vertex : model.rig->vertices) {
-    for (const MorphDelta& delta : vertex.deltas) {
-      const Vec3 d = places[vertex.instance].direction(delta.position);
-      largest = std::max({largest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    }
-  }
-  return largest;
-}
-
-/// Makes `box` hold what morph targets make of the stored vertices before joints move them, which has 16
-/// bits, too.
-void extend_by_morphs(Box& box, const Rig& rig) {
-  const std::vector<Affine> places = storage_places(rig);
+/// Makes `box` hold what has 16 bits, too, before joints move it: the shapes that morph targets make of the
+/// stored vertices, and what each target adds. `places` are the storage_places().
+void extend_by_morphs(Box& box, const Rig& rig, const std::vector<Affine>& places) {
   std::vector<std::vector<WeightRange>> ranges;
   for (std::size_t i = 0; i < rig.instances.size(); ++i) ranges.push_back(weight_ranges(rig, i));
+  double most_added = 0;
   for (const RigVertex& vertex : rig.vertices) {
+    if (vertex.deltas.empty()) continue;
     const Affine& place = places[vertex.instance];
     const Vec3 stored = place.point(vertex.position);
     Box shapes{stored, stored};
-    for (std::size_t i = 0; i < vertex.deltas.size(); ++i)
-      widen(shapes, place.direction(vertex.deltas[i].position), ranges[vertex.instance][i]);
-    if (vertex.deltas.empty()) continue;
+    for (std::size_t i = 0; i < vertex.deltas.size(); ++i) {
+      const Vec3 added = place.direction(vertex.deltas[i].position);
+      widen(shapes, added, ranges[vertex.instance][i]);
+      most_added = std::max({most_added, std::abs(added.x), std::abs(added.y), std::abs(added.z)});
+    }
     extend(box, shapes.low);
     extend(box, shapes.high);
   }
+  const Vec3 middle = (box.low + box.high) * 0.5;
+  for (const double sign : {-1.0, 1.0}) extend(box, middle + Vec3{sign, 0, 0} * most_added);
 }
 
 /// A box around the stored vertices and all poses.
-Box reach_of(const Model& model) {
+Box reach_of(const Model& model, const std::vector<Affine>& places) {
   constexpr double kMargin = 0.02;  // of the extent, on each side
   constexpr std::size_t kMostPosed = 4'000'000;
   const Vec3 any = model.parts[0].mesh.positions[0];
@@ -196,11 +188,7 @@ Box reach_of(const Model& model) {
     for (const double time : times_between(key_times(clip), kParts, most))
       extend(box, model, pose_at(*model.rig, clip, time));
   }
-  extend_by_morphs(box, *model.rig);
-  // What a morph target adds has 16 bits, too.
-  const Vec3 middle = (box.low + box.high) * 0.5;
-  const double most_added = largest_delta(model);
-  for (const double sign : {-1.0, 1.0}) extend(box, middle + Vec3{sign, 0, 0} * most_added);
+  extend_by_morphs(box, *model.rig, places);
   const Vec3 margin = (box.high - box.low) * kMargin;
   return {box.low - margin, box.high + margin};
 }
@@ -224,7 +212,7 @@ Model as_stored(const Model& model) {
       mesh.normals[i] = normalised(place.direction(carried_normal(rest, vertex, normal)));
     }
   }
-  out.reach = reach_of(out);
+  out.reach = reach_of(out, places);
   return out;
 }
 

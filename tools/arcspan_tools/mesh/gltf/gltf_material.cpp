@@ -43,8 +43,8 @@ GltfMaterial from_glossiness(const JsonView& json) {
   return result;
 }
 
-/// Of an unlit material only the base colour counts: its other factors are for viewers that cannot draw it
-/// so.
+/// If `unlit`, only the base colour counts: the other factors are for viewers that cannot draw unlit
+/// materials.
 GltfMaterial from_metallic_roughness(const JsonView& material, bool unlit) {
   const std::optional<JsonView> json = material.find("pbrMetallicRoughness");
   const Vec3 base = json ? colour_or(*json, "baseColorFactor", {1, 1, 1}) : Vec3{1, 1, 1};

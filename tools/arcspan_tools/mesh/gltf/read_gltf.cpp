@@ -40,7 +40,7 @@ struct CornerPlace {
   std::uint32_t source = kNoSource;
 };
 
-/// What moves the vertices of a part.
+/// The skin that the vertices of a part follow, and the instance of a mesh whose morph targets they have.
 struct MovedBy {
   std::optional<std::size_t> morphing_instance{};  ///< with morph targets
   std::optional<std::size_t> skin{};

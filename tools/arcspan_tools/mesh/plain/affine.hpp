@@ -24,7 +24,7 @@ struct Affine {
     const Vec3 turned = cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
     return mirrors() ? turned * -1 : turned;
   }
-  /// Of the linear part: the factor of volumes, below 0 if the map mirrors.
+  /// The determinant of the linear part: the factor by which volumes grow, negative if the map mirrors.
   [[nodiscard]] constexpr double determinant() const { return dot(x, cross(y, z)); }
   [[nodiscard]] constexpr bool mirrors() const { return determinant() < 0; }
 

@@ -28,7 +28,8 @@ class RigPoser {
 
   /// Transform of the model's space from that of the mesh, for this vertex: Σ weight · node · inverse bind.
   [[nodiscard]] Affine place(const RigVertex& vertex) const;
-  /// The same for all that follows one joint of an instance's skin, or without a skin its node.
+  /// The same transform for vertices that follow only this joint of the instance's skin. Without a skin it is
+  /// that of the instance's node.
   [[nodiscard]] Affine place(std::size_t instance, std::size_t joint) const;
   /// In the space of the mesh, with its morph targets.
   [[nodiscard]] Vec3 shaped_position(const RigVertex& vertex) const;

@@ -22,8 +22,8 @@ std::uint8_t bits_of(std::int32_t side, const std::string& subject) {
                 "a texture's side must be a power of two from 8 to 1024, not " + std::to_string(side));
 }
 
-/// Of a side of so many texels. A side that is enlarged is read up to two texels beyond its edges, and
-/// STBIR_EDGE_REFLECT does not look whether there are as many.
+/// How a side of `side` texels continues beyond its edges. Enlarging reads up to two texels there, and
+/// STBIR_EDGE_REFLECT reads outside of the picture if the side has no more than that.
 stbir_edge edge_of(TextureWrap wrap, std::int32_t side) {
   if (wrap == TextureWrap::kRepeat) return STBIR_EDGE_WRAP;
   return wrap == TextureWrap::kClamp || side <= 2 ? STBIR_EDGE_CLAMP : STBIR_EDGE_REFLECT;

@@ -16,8 +16,8 @@
 
 namespace arcspan {
 
-/// Where fog begins and where it hides everything: distances before the camera, in one unit with the planes
-/// of the camera, 0 < near_plane < far_plane and start < end. Raw values of ObjectLength or WorldLength.
+/// Where fog begins and where it hides everything: distances in front of the camera, with its planes; all are
+/// raw values of ObjectLength, or all of WorldLength. 0 < near_plane < far_plane, start < end.
 struct FogRange {
   std::int32_t near_plane = 0;
   std::int32_t far_plane = 0;
@@ -62,8 +62,8 @@ class Fog {
     return Status::kOk;
   }
 
-  /// The share of the fog at a 16-bit depth, 0...255: within 1.4 of that of the distance at this depth if the
-  /// planes are at most 1:1000 and the fog is at least 1/1000 of its distance deep, and 255 from its end on.
+  /// The share of the fog at a 16-bit depth, 0...255, and 255 from `end` on. Its error is at most 1.4 if
+  /// far_plane is at most 1000 near_plane, and end - start at least 1/1000 of `end`.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint32_t depth) const {
     const std::uint32_t biased =
         clamped_unsigned<16, 0>(end_ - static_cast<std::int32_t>(depth)) + kPerOctave;

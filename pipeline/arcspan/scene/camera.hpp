@@ -30,9 +30,9 @@ struct LookAt {
 class Lens {
  public:
   /// Perspective. `vertical` is the angle between the upper and the lower edge of the picture, above 0 and
-  /// below half a turn. Parts nearer than `near_plane` are clipped. Nothing that is drawn should lie
-  /// beyond `far_plane`: vertices there get the last depth, so that a triangle across it has wrong depths
-  /// everywhere, and objects beyond it are in no order. 0 < near < far.
+  /// below half a turn. Parts nearer than `near_plane` are clipped. Draw nothing beyond
+  /// `far_plane`: depths are clamped there, so that a triangle that crosses it has wrong depths all over, and
+  /// objects beyond it are not sorted. 0 < near < far.
   [[nodiscard]] static constexpr Lens field_of_view(Turn vertical, WorldLength near_plane,
                                                     WorldLength far_plane) {
     return {Kind::kFieldOfView, vertical.raw, near_plane, far_plane};

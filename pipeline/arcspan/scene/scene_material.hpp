@@ -24,11 +24,11 @@ namespace arcspan {
 /// A shading method with the features of draw_mesh() that it is used with. A program lists its combinations
 /// in SceneMemory; a method stands for itself with the default features.
 ///
-/// A material is made for the scene's ambient light and, if its method takes a single light, for the strength
-/// and colour of that; under others draw_scene() returns kLightChanged. With `ChangingLight`, for methods
-/// with a single light, it makes the material again instead, for each object whose light differs, as under
-/// point lights it does. That takes about as many instructions as 20,000 pixels. Methods with several lights
-/// weight them per pixel, and follow their strength and colour, but not the ambient light.
+/// A material is made for one ambient light and, if its method takes a single light, for the strength and
+/// colour of that. If these change, draw_scene() returns kLightChanged. With `ChangingLight`, for methods
+/// with a single light, it makes the material again instead, for each object whose light differs: under point
+/// lights for each. That takes about as many instructions as 20,000 pixels. Methods with several lights
+/// follow changes of their strength and colour, but not of the ambient light.
 template <ShadingMethod M, DrawFeatures F = DrawFeatures{}, bool ChangingLight = false>
 struct Use {
   using Method = M;

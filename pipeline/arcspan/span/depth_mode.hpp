@@ -10,9 +10,9 @@
 
 namespace arcspan {
 
-/// Which pixels a DepthMode draws. Depths are equal where one method draws the same triangles. Two methods
-/// must both be used without DrawFeatures::small_triangles: depths of small triangles are rounded otherwise,
-/// and methods differ in which triangles they draw as such.
+/// Which pixels a DepthMode draws. Two passes over the same triangles give equal depths with one method, or
+/// with two if both lack DrawFeatures::small_triangles: that rounds depths differently, for triangles that
+/// depend on the method.
 enum class DepthCompare : std::uint8_t {
   kNearer,         ///< those nearer than what is there, as a DepthBuffer itself
   kNearerOrEqual,  ///< also those as near: a second layer on the same surface

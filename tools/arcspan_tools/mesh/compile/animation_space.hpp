@@ -12,10 +12,10 @@
 
 namespace arcspan::tools {
 
-/// The nodes of a rig that move its vertices, in object units. Above them, one root for each node that
-/// nothing moves leads from the space of the file to that of the object, or as many nodes as it takes if one
-/// would be flat or sheared. Constant scales are taken out of the nodes: the space of a node is `scale()`
-/// times as large as in the file.
+/// The nodes of a rig that move its vertices, in object units. Above those whose parent never moves is a root
+/// that stands for this parent, from the space of the file to that of the object: one node, or a chain of
+/// them if one would be flat or sheared. Constant scales are taken out of the nodes: the space of a node is
+/// scales_ times as large as in the file.
 class AnimationSpace {
  public:
   /// `unit` and `centre` are those of the model's meshes. Throws a Failure about `subject` for a node that

@@ -16,13 +16,12 @@ struct ClipTolerance {
 /// are all alike has one. Cubic channels, whose tangents belong to the keys, keep them all.
 [[nodiscard]] RigChannel thinned(const RigChannel& channel, const ClipTolerance& tolerance);
 
-/// `channel` with its keys at whole microseconds. Of two within one microsecond, which are a jump, the later
-/// is moved to the next microsecond, or left out if another key is there.
+/// `channel` with its keys at whole microseconds. Of two keys in the same one (a jump), the later moves to
+/// the next microsecond, or is left out if another key is there.
 [[nodiscard]] RigChannel in_microseconds(const RigChannel& channel);
 
-/// A linear channel of rotations with keys added between those of the file where interpolation of the
-/// components is off spherical interpolation by more than 0.002 degrees, unless there would be more than
-/// kMostKeys; others as they are.
+/// A linear channel of rotations with keys added where interpolation of components is off the spherical one
+/// by more than 0.002 degrees. Other channels, and those that would exceed kMostKeys, are unchanged.
 [[nodiscard]] RigChannel with_close_rotations(const RigChannel& channel);
 
 }  // namespace arcspan::tools

@@ -20,13 +20,14 @@ struct RigPose {
 /// The pose of a clip at `time`, in seconds; what the clip does not move is at rest.
 [[nodiscard]] RigPose pose_at(const Rig& rig, const RigClip& clip, double time);
 
-/// Poses vertices: morph targets first, then the joints of the skin, whatever the mesh's own node does, or
-/// else the node. The rig must outlive this.
+/// Poses vertices: morph targets first, then the joints of the skin; the mesh's own node counts only without
+/// a skin. The rig must outlive this.
 class RigPoser {
  public:
   RigPoser(const Rig& rig, const RigPose& pose);
 
-  /// Transform of the model's space from that of the mesh, for this vertex: Σ weight · node · inverse bind.
+  /// Transform from the mesh to the model's space for this vertex: Σ weight · node · inverse bind, or its
+  /// node.
   [[nodiscard]] Affine place(const RigVertex& vertex) const;
   /// The same transform for vertices that follow only this joint of the instance's skin. Without a skin it is
   /// that of the instance's node.
@@ -48,16 +49,16 @@ class RigPoser {
   std::vector<std::vector<double>> morph_weights_;
 };
 
-/// The pipeline moves normals by the linear parts of matrices, which is wrong below a stretched joint. So not
-/// n is stored but n' with A n' = A^-T n, where A is the linear part of the vertex's first joint at rest.
+/// The pipeline moves normals like directions, which is wrong where A stretches: the linear part of place()
+/// of the vertex's first, heaviest joint at rest. So n' = A^-1 A^-T n is stored: at rest A n' is right.
 [[nodiscard]] Vec3 carried_normal(const RigPoser& rest, const RigVertex& vertex, Vec3 normal);
 
-/// The normal of a vertex in a pose, in the model's space, of any length: by its node, or its
-/// carried_normal() by the linear part of the sum of its joints.
+/// The normal of a vertex in a pose, in the model's space, not normalised: with a skin, carried_normal() by
+/// the linear part of place(), else the normal by the node.
 [[nodiscard]] Vec3 posed_normal(const RigPoser& rest, const RigPoser& poser, const RigVertex& vertex);
 
-/// For each vertex of a rig, whether a pose mirrors it and the pose at rest does not, or the reverse:
-/// triangles of such vertices have to turn round to show their fronts.
+/// For each vertex of a rig, whether just one of the pose and the pose at rest mirrors it: the corners of
+/// triangles of such vertices need the other order.
 [[nodiscard]] std::vector<bool> mirrored_vertices(const Rig& rig, const RigPose& pose);
 
 /// The normal of a vertex of a rigged mesh in the space where the rig stores it: the file's, or one that was

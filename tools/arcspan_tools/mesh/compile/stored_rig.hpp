@@ -10,9 +10,9 @@
 namespace arcspan::tools {
 
 /// For each instance of a rig, the transform from the mesh to the space that its vertices are stored in: the
-/// RigPoser::place() at rest of its node or, with a skin, of its largest joint that moves vertices. If a joint
-/// is more than 16 times as large at one of up to 64 keys of a clip, its place there. So a model whose skin
-/// is not used stands upright and has its size.
+/// RigPoser::place() at rest of its node or, with a skin, of its largest joint that moves vertices. If a
+/// joint is more than 16 times as large at one of up to 64 keys of a clip, its place there. So a model whose
+/// skin is not used stands upright and has its size.
 [[nodiscard]] std::vector<Affine> storage_places(const Rig& rig);
 
 /// `model` with its vertices as they are stored for its rig, in place of the pose at rest, and with `reach`:

@@ -91,7 +91,7 @@ class BillboardStage {
   [[nodiscard]] Status status() const { return status_; }
 
   void draw(const ClipPosition& middle) {
-    if (middle.w < transform_.near_w()) return;
+    if (middle.w < transform_.w_range().nearest || middle.w > transform_.w_range().farthest) return;
     const std::int32_t across = half(size_.width, middle.w);
     const std::int32_t down = half(size_.height, middle.w);
     BillboardSides columns{middle.x - across, middle.x + across};
@@ -157,8 +157,8 @@ class BillboardStage {
 /// With TextureFilter::kBilinear take TextureBorders::kOfTexture and a texture that is clamped, or opposite
 /// borders of it are mixed.
 ///
-/// `middles` are in object space; a whole billboard disappears when its middle passes the near plane. Returns
-/// a status as draw_lines() does.
+/// `middles` are in object space; a whole billboard disappears when its middle passes one of the
+/// planes. Returns a status as draw_lines() does.
 template <BillboardMethod Method, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] ARCSPAN_OUTLINE Status draw_billboards(std::span<const ObjectPosition> middles,
                                                      const BillboardSize& size,

@@ -51,12 +51,12 @@ class LineStage {
     if (!has_pixels(scissor_, a, b)) return;
     status_ = draw_line_between<Method>(a, b, bias_.units, scissor_.origin(), target_);
   }
-  /// Draws a line, of which the near plane and the guard band may cut parts.
+  /// Draws a line, of which the planes and the guard band may cut parts.
   void draw(const ClipTransform& transform, const ClipPosition& from, const ClipPosition& to) {
     RasterPosition a;
     RasterPosition b;
-    const std::uint8_t from_outside = outcode(from, transform.near_w());
-    const std::uint8_t to_outside = outcode(to, transform.near_w());
+    const std::uint8_t from_outside = outcode(from, transform.w_range());
+    const std::uint8_t to_outside = outcode(to, transform.w_range());
     if ((from_outside & to_outside) != 0) return;
     if ((from_outside | to_outside) != 0) {
       if (!clip_line(transform, from, to, a, b)) return;
@@ -106,7 +106,7 @@ template <OneColour Method = Unlit, PixelSink Sink, DepthTarget Depth>
   return stage.status();
 }
 
-/// Draws points as squares of `size` x `size` pixels of one depth, up to 255. A point beyond the near plane
+/// Draws points as squares of `size` x `size` pixels of one depth, up to 255. A point outside of the planes
 /// or the guard band is left out; it could reach into pictures wider or higher than 1793 pixels only. All
 /// else as draw_lines().
 template <OneColour Method = Unlit, PixelSink Sink, DepthTarget Depth>
@@ -117,7 +117,7 @@ template <OneColour Method = Unlit, PixelSink Sink, DepthTarget Depth>
   detail::LineStage<Method, Sink, Depth> stage(transform.viewport(), colour, sink, depth, bias);
   for (std::size_t i = 0; i < points.size() && stage.ready(); ++i) {
     const ClipPosition at = transform(points[i]);
-    if (outcode(at, transform.near_w()) != kInside) continue;
+    if (outcode(at, transform.w_range()) != kInside) continue;
     stage.draw_square(project(at, transform), size);
   }
   return stage.status();

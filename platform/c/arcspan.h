@@ -265,8 +265,7 @@ typedef struct {
   uint16_t width, height; /* of the picture, 1...2048 pixels */
   arcspan_turn angle;     /* between its upper and lower edge, below half a turn; 0: parallel */
   arcspan_length extent;  /* of a parallel picture: the world length of its height */
-  /* Parts nearer than `nearest` are clipped, those beyond `farthest` share a depth; 0 < nearest < farthest.
-   */
+  /* Parts nearer than `nearest` or farther than `farthest` are clipped; 0 < nearest < farthest. */
   arcspan_length nearest, farthest;
 } arcspan_lens;
 /* Sets lens and position. `up` appears upright; {0, 0, 0} is {0, 1, 0}. Returns ARCSPAN_INVALID_ARGUMENT,

@@ -17,10 +17,10 @@ struct ClipVertex {
   typename Method::Vertex shade;
 };
 
-/// A convex polygon. A triangle cut by five planes has at most 8 vertices.
+/// A convex polygon. A triangle cut by six planes has at most 9 vertices.
 template <class Method>
 struct ClipPolygon {
-  static constexpr std::size_t kCapacity = 8;
+  static constexpr std::size_t kCapacity = 9;
   ClipVertex<Method> vertices[kCapacity];
   std::size_t count;
 };
@@ -30,10 +30,10 @@ namespace detail {
 /// The signed distance of a vertex from a plane of the clip volume, in clip-space units, positive inside.
 /// `plane` is one bit of an outcode; kInside gives 0.
 [[nodiscard]] ARCSPAN_COLD constexpr std::int32_t plane_distance(const ClipPosition& p, ClipOutcode plane,
-                                                                 std::int32_t near_w) {
+                                                                 const WRange& w_range) {
   switch (plane) {
     case kOutsideNear:
-      return p.w - near_w;
+      return p.w - w_range.nearest;
     case kOutsideLeft:
       return wrap_add(p.w, p.x);
     case kOutsideRight:
@@ -42,6 +42,8 @@ namespace detail {
       return wrap_add(p.w, p.y);
     case kOutsideBottom:
       return wrap_sub(p.w, p.y);
+    case kOutsideFar:
+      return wrap_sub(w_range.farthest, p.w);
     case kInside:
       break;
   }
@@ -75,13 +77,13 @@ ARCSPAN_OUTLINE ARCSPAN_COLD constexpr void cut(const ClipVertex<Method>& inside
 /// Clips `in` to one plane, by Sutherland and Hodgman's algorithm; the result is written to `out`.
 template <class Method>
 ARCSPAN_COLD constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>& out,
-                                          ClipOutcode plane, std::int32_t near_w) {
+                                          ClipOutcode plane, const WRange& w_range) {
   out.count = 0;
   for (std::size_t i = 0; i < in.count; ++i) {
     const ClipVertex<Method>& here = in.vertices[i];
     const ClipVertex<Method>& next = in.vertices[i + 1 == in.count ? 0 : i + 1];
-    const std::int32_t d0 = plane_distance(here.position, plane, near_w);
-    const std::int32_t d1 = plane_distance(next.position, plane, near_w);
+    const std::int32_t d0 = plane_distance(here.position, plane, w_range);
+    const std::int32_t d1 = plane_distance(next.position, plane, w_range);
     // A convex polygon gains at most one vertex per plane, so `out` is full only for inconsistent input.
     if (d0 >= 0 && out.count < ClipPolygon<Method>::kCapacity) out.vertices[out.count++] = here;
     if ((d0 >= 0) != (d1 >= 0) && out.count < ClipPolygon<Method>::kCapacity) {
@@ -97,16 +99,17 @@ ARCSPAN_COLD constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPol
 
 }  // namespace detail
 
-/// Clips `polygon` to the near plane and the four sides of the guard band. Returns the result, which is in
-/// `polygon` or in `spare`; both are overwritten. Its count is 0 if nothing is left.
+/// Clips `polygon` to the near plane, the far plane and the four sides of the guard band. Returns the result,
+/// which is in `polygon` or in `spare`; both are overwritten. Its count is 0 if nothing is left.
 template <class Method>
 [[nodiscard]] ARCSPAN_COLD constexpr const ClipPolygon<Method>& clip_polygon(ClipPolygon<Method>& polygon,
                                                                              ClipPolygon<Method>& spare,
-                                                                             std::int32_t near_w) {
+                                                                             const WRange& w_range) {
   ClipPolygon<Method>* from = &polygon;
   ClipPolygon<Method>* to = &spare;
-  for (const ClipOutcode plane : {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom}) {
-    detail::clip_to_plane(*from, *to, plane, near_w);
+  for (const ClipOutcode plane :
+       {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom, kOutsideFar}) {
+    detail::clip_to_plane(*from, *to, plane, w_range);
     ClipPolygon<Method>* const result = to;
     to = from;
     from = result;

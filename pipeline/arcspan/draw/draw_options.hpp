@@ -25,8 +25,7 @@ struct DrawResult {
 /// Features of draw_mesh(), chosen at compile time. Switching one off saves code (docs/memory.md has the
 /// bytes).
 struct DrawFeatures {
-  /// Draws triangles across the near plane or the guard band. Off: they are not drawn, but counted as
-  /// left_out.
+  /// Draws triangles across a clip plane. Off: they are not drawn, but counted as left_out.
   bool clips = true;
   /// Culls by the face planes of a mesh that has them. Off: backs are culled after their vertices are
   /// transformed, which gives the same pixels.

@@ -55,9 +55,10 @@ template <OneColour Method, class Target>
 [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD inline bool clip_line(const ClipTransform& transform,
                                                                  ClipPosition p, ClipPosition q,
                                                                  RasterPosition& a, RasterPosition& b) {
-  for (const ClipOutcode plane : {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom}) {
-    const std::int32_t p_distance = plane_distance(p, plane, transform.near_w());
-    const std::int32_t q_distance = plane_distance(q, plane, transform.near_w());
+  for (const ClipOutcode plane :
+       {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom, kOutsideFar}) {
+    const std::int32_t p_distance = plane_distance(p, plane, transform.w_range());
+    const std::int32_t q_distance = plane_distance(q, plane, transform.w_range());
     if (p_distance < 0 && q_distance < 0) return false;
     const ClipVertex<Unlit> from{p, {}};
     const ClipVertex<Unlit> to{q, {}};

@@ -183,7 +183,7 @@ class TriangleDrawer {
     draw_side(t, a, b, c, Facing::kBack);
   }
 
-  /// Draws a triangle across the near plane or the guard band.
+  /// Draws a triangle across a clip plane.
   void draw_clipped(const TriangleIndices& t) {
     if constexpr (Features.clips) {
       const std::uint32_t before = result_.triangles;

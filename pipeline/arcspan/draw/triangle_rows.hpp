@@ -41,7 +41,7 @@ struct TriangleRows {
   /// Those of a triangle that is culled, and of one that is not but covers no row of the picture.
   [[nodiscard]] static constexpr TriangleRows culled() { return {255, 0}; }
   [[nodiscard]] static constexpr TriangleRows between() { return {254, 0}; }
-  /// Those of a triangle across the near plane or the guard band, which may cover any.
+  /// Those of a triangle across a clip plane, which may cover any.
   [[nodiscard]] static constexpr TriangleRows any() { return {0, 255}; }
   friend constexpr bool operator==(const TriangleRows&, const TriangleRows&) = default;
 };

@@ -24,7 +24,7 @@ enum class TriangleSide : std::uint8_t {
   kHidden,  ///< nothing: its back is culled, it has no area, or it lies outside one plane of the clip volume
   kFront,
   kBack,  ///< its back, because DrawOptions::two_sided is on
-  kCut,   ///< it crosses the near plane or the guard band
+  kCut,   ///< it crosses a clip plane
 };
 
 namespace detail {

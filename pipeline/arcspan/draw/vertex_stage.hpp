@@ -112,7 +112,7 @@ class VertexStage {
  private:
   ARCSPAN_INLINE void transform_inlined(std::size_t i, CachedVertex<Method>& vertex) const {
     const ClipPosition position = clip_position(i);
-    vertex.outcode = outcode(position, transform_.near_w());
+    vertex.outcode = outcode(position, transform_.w_range());
     if (vertex.outcode == kInside) detail::place_on_screen(position, transform_, vertex.raster);
     vertex.shading = 0;
   }
@@ -150,7 +150,7 @@ ARCSPAN_OUTLINE ARCSPAN_COLD std::size_t clip_triangle(const VertexStage<Method,
     vertex.position = stage.clip_position(i);
     stage.shade(i, facing, vertex.shade);
   }
-  const ClipPolygon<Method>& rest = clip_polygon(polygon, spare, stage.transform().near_w());
+  const ClipPolygon<Method>& rest = clip_polygon(polygon, spare, stage.transform().w_range());
   for (std::size_t i = 0; i < rest.count; ++i) {
     place_on_screen(rest.vertices[i].position, stage.transform(), inside[i]);
     inside[i].shade = rest.vertices[i].shade;

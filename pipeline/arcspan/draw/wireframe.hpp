@@ -46,8 +46,7 @@ struct EdgeDrawer {
   }
 
  private:
-  /// Draws the edges of a triangle across the near plane or the guard band. The sides along these planes are
-  /// no edges.
+  /// Draws the edges of a triangle across a clip plane. The sides along these planes are no edges.
   ARCSPAN_OUTLINE ARCSPAN_COLD void draw_clipped(const TriangleIndices& t) const {
     if (!two_sided && !shows_front(t)) return;
     const std::uint16_t ends[] = {t.a, t.b, t.c, t.a};

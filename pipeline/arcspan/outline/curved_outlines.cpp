@@ -86,7 +86,7 @@ class CurveFinder {
     if (position.x != m.x || position.y != m.y || position.z != m.z) return refuse(Status::kScaleOutOfRange);
     const ClipTransform& transform = positions_.transform();
     const ClipPosition clip = transform(position);
-    if (outcode(clip, transform.near_w()) != kInside) return false;
+    if (outcode(clip, transform.w_range()) != kInside) return false;
     middle = project(clip, transform);
     if (!is_outside(edge, middle)) return false;
     const std::size_t first = 3 * curve_count_;

@@ -70,6 +70,8 @@ bool Camera::place(const WorldPoint& position, const Rotation& rotation, WorldLe
   WidePlacement placement{product(rotation_, rotation), {}, to_units(near_), focal_, focal_bits_,
                           to_units.unit_bits()};
   if (placement.near_plane < 1) placement.near_plane = 1;
+  const std::int64_t far_plane = placement.near_plane + to_units(planes_apart_) + 2;  // both round down
+  if (far_plane < WidePlacement::kNoFarPlane) placement.far_plane = far_plane;
   for (std::size_t i = 0; i < 3; ++i) placement.translation[i] = to_units(view[i]);
   transform.set_lens(lens_);
   transform.set_placement(placement);

@@ -30,9 +30,8 @@ struct LookAt {
 class Lens {
  public:
   /// Perspective. `vertical` is the angle between the upper and the lower edge of the picture, above 0 and
-  /// below half a turn. Parts nearer than `near_plane` are clipped. Draw nothing beyond
-  /// `far_plane`: depths are clamped there, so that a triangle that crosses it has wrong depths all over, and
-  /// objects beyond it are not sorted. 0 < near < far.
+  /// below half a turn. Parts nearer than `near_plane` or farther than `far_plane` are clipped.
+  /// 0 < near < far.
   [[nodiscard]] static constexpr Lens field_of_view(Turn vertical, WorldLength near_plane,
                                                     WorldLength far_plane) {
     return {Kind::kFieldOfView, vertical.raw, near_plane, far_plane};
@@ -161,6 +160,7 @@ class Camera {
   ClipTransform lens_;      ///< viewport and depths; an object's transform is a copy with another placement
   std::int32_t focal_ = 0;  ///< times 2^focal_bits_: 11 fraction bits of a pixel
   int focal_bits_ = 0;
+  std::int32_t planes_apart_ = 0;  ///< 16 fraction bits
   bool parallel_ = false;
 };
 
@@ -189,6 +189,7 @@ constexpr Status Camera::look_at(const LookAt& view) {
 
 constexpr Status Camera::set_lens(const Lens& lens, const Viewport& viewport) {
   if (lens.near_.raw() <= 0 || lens.far_ <= lens.near_) return Status::kNearNotBeforeFar;
+  planes_apart_ = lens.far_.raw() - lens.near_.raw();
   if (lens.kind_ == Lens::Kind::kOrthographic) return set_parallel(lens, viewport);
   std::int64_t focal = lens.amount_;
   if (lens.kind_ == Lens::Kind::kFieldOfView) {
@@ -217,7 +218,7 @@ constexpr Status Camera::set_parallel(const Lens& lens, const Viewport& viewport
   if (lens.amount_ <= 0 || viewport.height < 1 || viewport.height > 2 * kGuardBand) {
     return Status::kInvalidArgument;
   }
-  const std::int64_t range = std::int64_t{lens.far_.raw()} - lens.near_.raw();
+  const std::int64_t range = planes_apart_;
   static_assert(
       (65535 - 2 * ClipTransform::kDepthMargin) * std::int64_t{kParallel + 1} < (std::int32_t{1} << 28) - 1,
       "ClipTransform::make() would cut the slope of depths");

@@ -176,7 +176,10 @@ void share_rows(const SceneFrame& frame) {
 bool is_outside(const SceneSlot& slot, const Rect& rect) {
   const ClipSphere& sphere = slot.sphere;
   const Viewport& viewport = slot.transform.viewport();
-  if (rect.empty() || sphere.middle.w + sphere.radius_ahead < slot.transform.near_w()) return true;
+  if (rect.empty() || sphere.middle.w + sphere.radius_ahead < slot.transform.near_w() ||
+      sphere.middle.w - sphere.radius_ahead > slot.transform.w_range().farthest) {
+    return true;
+  }
   return is_outside_range(sphere, {sphere.middle.y, sphere.radius_across}, viewport.height, rect.top,
                           rect.bottom) ||
          is_outside_range(sphere, {sphere.middle.x, sphere.radius_across}, viewport.width, rect.left,

@@ -46,7 +46,7 @@ struct ScreenExtent {
 /// How the triangles of an extent are drawn.
 struct ExtentOptions {
   bool two_sided;
-  bool clips;  ///< triangles across the near plane or the guard band are drawn
+  bool clips;  ///< triangles across a clip plane are drawn
   bool edges;  ///< their edges are, not their areas (DrawsEdges)
 };
 

@@ -59,6 +59,7 @@ bool view_sphere(std::int64_t radius, const ClipTransform& transform, SphereView
   const std::int64_t depth_radius = distance_along(radius, unit);
   view.nearest = origin.w - depth_radius;
   if (view.nearest < transform.near_w() || view.nearest < kPreciseW) return false;
+  if (origin.w + depth_radius > transform.w_range().farthest) return false;
   view.farthest = times_power_of_two(origin.w + depth_radius, -transform.w_bits()) + 1;
   const std::int64_t across = detail::magnitude64(origin.x);
   const std::int64_t down = detail::magnitude64(origin.y);

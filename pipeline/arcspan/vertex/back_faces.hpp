@@ -20,7 +20,7 @@ class BackFaces {
   /// Not known(): every triangle may be a front face.
   constexpr BackFaces() = default;
   /// Not known() if the mesh has no planes, or its sphere (PlaneScale::radius around the object's origin) is
-  /// not wholly in front of the near plane and within the guard band, or the object is so small on the screen
+  /// not wholly between the planes and within the guard band, or the object is so small on the screen
   /// that snapping may turn over every triangle.
   BackFaces(const MeshView& mesh, const ClipTransform& transform);
 

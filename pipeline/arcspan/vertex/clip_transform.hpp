@@ -84,12 +84,20 @@ using MatrixEntry = std::conditional_t<kHasLongSums, WholeEntry, SplitEntry>;
 }  // namespace detail
 
 /// A vertex in clip space, before the division by w; y points down. It is inside the guard band if |x| <= w
-/// and |y| <= w, and in front of the near plane if w >= ClipTransform::near_w(). The three have the same
-/// scale (ClipTransform::w_bits()) and are below 2^30 in magnitude.
+/// and |y| <= w, and between the near and the far plane if w is within ClipTransform::w_range(). The three
+/// have the same scale (ClipTransform::w_bits()) and are below 2^30 in magnitude.
 struct ClipPosition {
   std::int32_t x;
   std::int32_t y;
   std::int32_t w;
+};
+
+/// w of the near plane and of the far plane, 1...2^30.
+struct WRange {
+  std::int32_t nearest = 1;
+  std::int32_t farthest = 1;
+
+  friend constexpr bool operator==(const WRange&, const WRange&) = default;
 };
 
 /// A point in object units that may lie outside the range of vertices: |coordinate| < 2^24.
@@ -125,8 +133,8 @@ class ClipTransform {
     return transform;
   }
 
-  /// Changes the placement, the near plane and the focal length. The viewport and the ratio of the far plane
-  /// to the near one, from which depths are computed, stay. For objects of different scale before one camera.
+  /// Changes the placement, the planes and the focal length. The viewport and the ratio of the far plane to
+  /// the near one, from which depths are computed, stay. For objects of different scale before one camera.
   constexpr void set_placement(const WidePlacement& placement);
   /// Takes the viewport and the depths of another transform.
   constexpr void set_lens(const ClipTransform& other) {
@@ -143,8 +151,10 @@ class ClipTransform {
     return {row(0), row(1), row(2)};
   }
 
-  /// w of the near plane, at least 1.
-  [[nodiscard]] constexpr std::int32_t near_w() const { return near_w_; }
+  /// What the near and the far plane leave.
+  [[nodiscard]] constexpr const WRange& w_range() const { return w_range_; }
+  /// w of the near plane.
+  [[nodiscard]] constexpr std::int32_t near_w() const { return w_range_.nearest; }
   /// The camera's position in object space; (2^23, 0, 0) if set_placement() was given unit bits above 0.
   [[nodiscard]] constexpr const ObjectPoint& eye() const { return eye_; }
   /// The focal length that make() was given. After set_placement() it is times 2^focal_bits.
@@ -191,7 +201,7 @@ class ClipTransform {
  private:
   detail::MatrixEntry matrix_[3][3] = {};
   std::int32_t offset_[3] = {};
-  std::int32_t near_w_ = 1;
+  WRange w_range_{};
   std::int32_t depth_range_ = 0;  ///< times 2^-(depth_shift_ - 3)
   std::int32_t depth_shift_ = 0;
   std::int32_t rounding_[2] = {};

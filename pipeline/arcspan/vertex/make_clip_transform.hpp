@@ -75,6 +75,7 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
   ARCSPAN_CHECK(detail::is_orthonormal(placement.rotation),
                 "ClipTransform::make: the rotation is not orthonormal");
   WidePlacement wide{placement.rotation, {}, projection.near_plane.raw(), projection.focal.raw()};
+  wide.far_plane = projection.far_plane.raw();
   for (std::size_t i = 0; i < 3; ++i) wide.translation[i] = placement.translation[i].raw();
   transform.set_placement(wide);
   constexpr std::uint64_t kMaxDepthRange = (std::uint64_t{1} << 28) - 1;  // shifted left by at least 3
@@ -122,10 +123,13 @@ constexpr void ClipTransform::set_placement(const WidePlacement& placement) {
                                   bits + factor_bits - ObjectLength::kFraction - detail::kGuardLengthBits);
   }
   // A near plane beyond the range of w hides everything. It saturates, so as not to wrap to the front.
-  constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
-  const std::int64_t near_w = (placement.near_plane << detail::kGuardLengthBits) >>
-                              (ObjectLength::kFraction + detail::kGuardLengthBits - bits);
-  near_w_ = static_cast<std::int32_t>(near_w < 1 ? 1 : near_w > kFarthest ? kFarthest : near_w);
+  const auto w_of = [bits](std::int64_t plane) {
+    constexpr std::int64_t kFarthest = (std::int64_t{1} << 30) - 1;
+    const std::int64_t w =
+        (plane << detail::kGuardLengthBits) >> (ObjectLength::kFraction + detail::kGuardLengthBits - bits);
+    return static_cast<std::int32_t>(w < 1 ? 1 : w > kFarthest ? kFarthest : w);
+  };
+  w_range_ = {w_of(placement.near_plane), w_of(placement.far_plane) + 1};
   eye_ = placement.unit_bits <= 0 ? detail::eye_of(placement) : ObjectPoint{std::int32_t{1} << 23, 0, 0};
   focal_ = PixelLength::from_raw(placement.focal);
   focal_bits_ = placement.focal_bits;

@@ -20,7 +20,7 @@ struct Placement {
 struct Projection {
   PixelLength focal;        ///< distance of the picture plane: (height / 2) / tan(vertical field of view / 2)
   ObjectLength near_plane;  ///< nearer parts are clipped
-  ObjectLength far_plane;   ///< farther vertices get the last depth: no triangle should reach across it
+  ObjectLength far_plane;   ///< farther parts are clipped
 };
 
 /// The picture's size in pixels, each 1...2048 (the guard band).
@@ -41,8 +41,10 @@ struct WidePlacement {
   std::int32_t focal = 1;       ///< above 0; times 2^focal_bits it is a PixelLength's raw()
   int focal_bits = 0;           ///< -30...21
   int unit_bits = 0;            ///< kLeastUnitBits...kMostUnitBits; above 0 no back faces are found by planes
+  std::int64_t far_plane = kNoFarPlane;  ///< near_plane + 1...kNoFarPlane, which is farther than any vertex
   static constexpr int kLeastUnitBits = -8;
   static constexpr int kMostUnitBits = 24;
+  static constexpr std::int64_t kNoFarPlane = std::int64_t{1} << 35;
 };
 
 }  // namespace arcspan

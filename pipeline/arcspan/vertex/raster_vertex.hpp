@@ -30,7 +30,8 @@ struct RasterPosition {
   return outside(a.x) || outside(b.x) || outside(c.x);
 }
 
-/// One bit for each plane of the clip volume that a vertex is outside of.
+/// One bit for each clip plane that a vertex is outside of: the near and the far plane, and the four sides of
+/// the guard band.
 enum ClipOutcode : std::uint8_t {
   kInside = 0,
   kOutsideNear = 1,
@@ -38,18 +39,21 @@ enum ClipOutcode : std::uint8_t {
   kOutsideRight = 4,
   kOutsideTop = 8,
   kOutsideBottom = 16,
+  kOutsideFar = 32,
 };
 
 /// The outcode of a clip-space vertex: ClipOutcode bits.
-[[nodiscard]] constexpr std::uint8_t outcode(const ClipPosition& p, std::int32_t near_w) {
+[[nodiscard]] constexpr std::uint8_t outcode(const ClipPosition& p, const WRange& w_range) {
   // Behind the near plane the other planes are not tested, because w may be negative there.
-  if (p.w < near_w) return kOutsideNear;
+  if (p.w < w_range.nearest) return kOutsideNear;
+  const bool beyond = p.w > w_range.farthest;
   const auto inside = [&p](std::int32_t c) {
     return static_cast<std::uint32_t>(c + p.w) <= 2 * static_cast<std::uint32_t>(p.w);
   };
-  if (inside(p.x) && inside(p.y)) return kInside;
-  return static_cast<std::uint8_t>((p.x < -p.w ? kOutsideLeft : 0) | (p.x > p.w ? kOutsideRight : 0) |
-                                   (p.y < -p.w ? kOutsideTop : 0) | (p.y > p.w ? kOutsideBottom : 0));
+  if (inside(p.x) && inside(p.y) && !beyond) return kInside;
+  return static_cast<std::uint8_t>((beyond ? kOutsideFar : 0) | (p.x < -p.w ? kOutsideLeft : 0) |
+                                   (p.x > p.w ? kOutsideRight : 0) | (p.y < -p.w ? kOutsideTop : 0) |
+                                   (p.y > p.w ? kOutsideBottom : 0));
 }
 
 /// The vertex on the screen: x and y are divided by w, rounded to the nearest Subpixel, and saturated at the

@@ -7,7 +7,7 @@ namespace arcspan {
 ScreenPoint screen_point(const ClipTransform& transform, const ObjectPosition& point) {
   ClipPosition clip = transform(point);
   if (clip.w < transform.near_w()) return {};
-  const bool in_guard_band = outcode(clip, transform.near_w()) == kInside;
+  const bool in_guard_band = (outcode(clip, transform.w_range()) & ~kOutsideFar) == 0;
   const auto into_guard_band = [w = clip.w](std::int32_t c) { return c < -w ? -w : c > w ? w : c; };
   clip.x = into_guard_band(clip.x);
   clip.y = into_guard_band(clip.y);

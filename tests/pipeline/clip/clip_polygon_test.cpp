@@ -17,30 +17,34 @@ using Polygon = ClipPolygon<Silhouette>;
 
 namespace {
 
+constexpr int kPlanes = 6;
+
 /// (x, y, w) in a Vec3, w in its z.
-double distance(Vec3 p, int plane, double near_w) {
+double distance(Vec3 p, int plane, const WRange& w_range) {
   switch (plane) {
     case 0:
-      return p.z - near_w;
+      return p.z - w_range.nearest;
     case 1:
       return p.z + p.x;
     case 2:
       return p.z - p.x;
     case 3:
       return p.z + p.y;
-    default:
+    case 4:
       return p.z - p.y;
+    default:
+      return w_range.farthest - p.z;
   }
 }
 
-std::vector<Vec3> clipped(std::vector<Vec3> polygon, double near_w) {
-  for (int plane = 0; plane < 5; ++plane) {
+std::vector<Vec3> clipped(std::vector<Vec3> polygon, const WRange& w_range) {
+  for (int plane = 0; plane < kPlanes; ++plane) {
     std::vector<Vec3> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec3 a = polygon[i];
       const Vec3 b = polygon[(i + 1) % polygon.size()];
-      const double da = distance(a, plane, near_w);
-      const double db = distance(b, plane, near_w);
+      const double da = distance(a, plane, w_range);
+      const double db = distance(b, plane, w_range);
       if (da >= 0) kept.push_back(a);
       if ((da >= 0) != (db >= 0)) kept.push_back(a + (da / (da - db)) * (b - a));
     }
@@ -74,13 +78,13 @@ std::int32_t random_coordinate(Random& random, double size) {
   return static_cast<std::int32_t>(random.real(-size, size));
 }
 
-ClipPosition random_clip_position(Random& random, std::int32_t near_w) {
+ClipPosition random_clip_position(Random& random, const WRange& w_range) {
   const double size = random.decades(1 << 18, 1 << 29);
   ClipPosition p{random_coordinate(random, size), random_coordinate(random, size),
                  random_coordinate(random, size)};
   switch (random.integer(0, 9)) {
     case 0:
-      p.w = near_w;
+      p.w = random.chance(0.5) ? w_range.nearest : w_range.farthest;
       break;
     case 1:
       p.x = p.w;
@@ -112,24 +116,26 @@ TEST_CASE("clipping agrees with double precision, within capacity and within the
   double worst_area = 0;   // difference of area per length of outline, in sixteenths
   for (int i = 0; i < share_of(300000); ++i) {
     const std::int32_t near_w = random.integer(1 << 15, 1 << 20);
+    const auto far_w = static_cast<std::int32_t>(random.decades(near_w + 1, 1 << 30));
+    const WRange w_range{near_w, far_w};
     Polygon polygon;
     Polygon spare;
     polygon.count = 3;
     std::vector<Vec3> reference;
     for (std::size_t k = 0; k < 3; ++k) {
-      const ClipPosition p = random_clip_position(random, near_w);
+      const ClipPosition p = random_clip_position(random, w_range);
       polygon.vertices[k].position = p;
       reference.push_back({double(p.x), double(p.y), double(p.w)});
     }
-    reference = clipped(reference, near_w);
-    const Polygon& result = clip_polygon(polygon, spare, near_w);
+    reference = clipped(reference, w_range);
+    const Polygon& result = clip_polygon(polygon, spare, w_range);
     most = std::max(most, result.count);
     std::vector<Vec3> got;
     for (std::size_t k = 0; k < result.count; ++k) {
       const ClipPosition& p = result.vertices[k].position;
       got.push_back({double(p.x), double(p.y), double(p.w)});
-      for (int plane = 0; plane < 5; ++plane) {
-        worst_plane = std::max(worst_plane, -distance(got.back(), plane, near_w));
+      for (int plane = 0; plane < kPlanes; ++plane) {
+        worst_plane = std::max(worst_plane, -distance(got.back(), plane, w_range));
       }
     }
     if (reference.size() < 3 && got.size() < 3) continue;
@@ -140,7 +146,7 @@ TEST_CASE("clipping agrees with double precision, within capacity and within the
   }
   CHECK(survivors > share_of(50000));
   CHECK(most <= Polygon::kCapacity);
-  CHECK(most >= 6);
+  CHECK(most >= 7);
   CHECK(worst_plane <= 4);
   CHECK(worst_area < 2);
 }
@@ -152,7 +158,7 @@ TEST_CASE("a triangle inside stays as it is, one outside vanishes") {
   polygon.vertices[1].position = {1000, -1000, 1000};
   polygon.vertices[2].position = {0, 5000, 5000};
   polygon.count = 3;
-  const Polygon& same = clip_polygon(polygon, spare, 1000);
+  const Polygon& same = clip_polygon(polygon, spare, {1000, 5000});
   REQUIRE(same.count == 3);
   CHECK(same.vertices[0].position.x == -1000);
   CHECK(same.vertices[2].position.w == 5000);
@@ -160,22 +166,28 @@ TEST_CASE("a triangle inside stays as it is, one outside vanishes") {
   Polygon behind;
   for (auto& vertex : behind.vertices) vertex.position = {0, 0, -(1 << 29)};
   behind.count = 3;
-  CHECK(clip_polygon(behind, spare, 1).count == 0);
+  CHECK(clip_polygon(behind, spare, {1, 1 << 30}).count == 0);
 
   Polygon left;
   for (auto& vertex : left.vertices) vertex.position = {-(1 << 29), 0, 1 << 20};
   left.count = 3;
-  CHECK(clip_polygon(left, spare, 1).count == 0);
+  CHECK(clip_polygon(left, spare, {1, 1 << 30}).count == 0);
+
+  Polygon beyond;
+  for (auto& vertex : beyond.vertices) vertex.position = {0, 0, 5001};
+  beyond.count = 3;
+  CHECK(clip_polygon(beyond, spare, {1000, 5000}).count == 0);
 }
 
 TEST_CASE("the two triangles of a cut edge get the same vertex") {
   Random random(92);
   using ArcMethod = Arc<Illumination<1, Highlight::kBlinn>>;
+  constexpr WRange kRange{1 << 16, 1 << 26};
   int different = 0;
   int cut = 0;
   for (int i = 0; i < share_of(20000); ++i) {
-    ClipVertex<ArcMethod> a{random_clip_position(random, 1 << 16), {}};
-    ClipVertex<ArcMethod> b{random_clip_position(random, 1 << 16), {}};
+    ClipVertex<ArcMethod> a{random_clip_position(random, kRange), {}};
+    ClipVertex<ArcMethod> b{random_clip_position(random, kRange), {}};
     const Vec3 n = random_unit(random);
     a.shade = ArcMethod::shade_vertex({}, to_direction(n));
     b.shade = ArcMethod::shade_vertex({}, to_direction(tilted(random, n, random.real(0, 2))));
@@ -185,7 +197,7 @@ TEST_CASE("the two triangles of a cut edge get the same vertex") {
       polygon.vertices[0] = p;
       polygon.vertices[1] = q;
       polygon.count = 2;  // an edge there and back
-      ClipPolygon<ArcMethod> result = clip_polygon(polygon, spare, 1 << 16);
+      ClipPolygon<ArcMethod> result = clip_polygon(polygon, spare, kRange);
       std::vector<std::array<std::int32_t, 6>> list;
       for (std::size_t k = 0; k < result.count; ++k) {
         const ClipVertex<ArcMethod>& v = result.vertices[k];

@@ -180,9 +180,11 @@ TEST_CASE("a billboard is hidden by what is nearer") {
   CHECK(!visible(depth - 2));
 }
 
-TEST_CASE("a billboard behind the near plane is not drawn") {
-  for (const double z : {0.0, 500.0, -15.0}) {
-    const Picture picture = drawn(camera_at({0, 0, z}, 60).transform(), {400, 400}, kView.height);
+TEST_CASE("a billboard before the near plane or beyond the far plane is not drawn") {
+  for (const double z : {0.0, 500.0, -15.0, -3001.0}) {
+    TestCamera camera = camera_at({0, 0, z}, 60);
+    camera.far_plane = 3000;
+    const Picture picture = drawn(camera.transform(), {400, 400}, kView.height);
     CHECK(std::count(picture.pixels.begin(), picture.pixels.end(), kEmpty) == static_cast<int>(kPixels));
   }
 }

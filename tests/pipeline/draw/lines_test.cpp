@@ -164,11 +164,13 @@ TEST_CASE("lines are clipped where they leave the view") {
   Random random(17);
   std::size_t drawn = 0;
   std::size_t cut = 0;
+  std::size_t cut_far = 0;
   for (int i = 0; i < share_of(4000); ++i) {
     TestCamera camera;
     camera.width = kView.width;
     camera.height = kView.height;
     camera.focal = i % 2 == 0 ? 70 : 700;
+    if (i % 3 == 0) camera.far_plane = 6000;
     camera.look_in_random_direction(random);
     camera.translation = Vec3{random.real(-3000, 3000), random.real(-3000, 3000), random.real(-9000, 3000)};
     const ClipTransform transform = camera.transform();
@@ -182,20 +184,24 @@ TEST_CASE("lines are clipped where they leave the view") {
     REQUIRE(reversed.words == sheet.words);
     REQUIRE(reversed.depths == sheet.depths);
 
-    // The part in front of the near plane, in double precision.
+    // The part between the planes, in double precision.
     const auto view_of = [&](const ObjectPosition& p) {
       return camera.to_view({double(p.x), double(p.y), double(p.z)});
     };
     Vec3 from = view_of(line.from);
     Vec3 to = view_of(line.to);
     if (from.z > to.z) std::swap(from, to);  // `to` is nearer
-    if (from.z > -camera.near_plane) {
+    if (from.z > -camera.near_plane || to.z < -camera.far_plane) {
       REQUIRE(sheet.words == std::vector<std::uint8_t>(sheet.words.size()));
       continue;
     }
     if (to.z > -camera.near_plane) {
       to = from + ((from.z + camera.near_plane) / (from.z - to.z)) * (to - from);
       ++cut;
+    }
+    if (from.z < -camera.far_plane) {
+      from = to + ((to.z + camera.far_plane) / (to.z - from.z)) * (from - to);
+      ++cut_far;
     }
     const auto on_screen = [&](const Vec3& v) {
       return Vec3{kView.width / 2.0 + camera.focal * v.x / -v.z,
@@ -232,6 +238,7 @@ TEST_CASE("lines are clipped where they leave the view") {
   }
   CHECK(drawn > static_cast<std::size_t>(share_of(20000)));
   CHECK(cut > static_cast<std::size_t>(share_of(20)));
+  CHECK(cut_far > static_cast<std::size_t>(share_of(20)));
 }
 
 TEST_CASE("lines are hidden by what is nearer, with a bias less so") {

@@ -60,7 +60,7 @@ TriangleSide side_by_projection(const MeshView& mesh, std::size_t i, const ClipT
   std::size_t n = 0;
   for (const std::uint16_t v : {t.a, t.b, t.c}) {
     const ClipPosition p = transform(mesh.position(v));
-    const unsigned code = outcode(p, transform.near_w());
+    const unsigned code = outcode(p, transform.w_range());
     all &= code;
     any |= code;
     if (code == 0) seen[n] = project(p, transform);

@@ -80,14 +80,17 @@ TEST_CASE("vertices of objects of any scale appear where double precision has th
   Random random(1812);
   double worst = 0;  // in sixteenths of a pixel, beyond the clip coordinates' last units
   int seen = 0;
+  int too_far = 0;
+  int near_enough = 0;
   for (int i = 0; i < share_of(20000); ++i) {
     const std::int32_t width = random.integer(1, 2048);
     const std::int32_t height = random.integer(1, 2048);
     const double focal = random.integer(20, 3000);
+    const double far_plane = random.chance(0.5) ? 20000 : random.decades(0.2, 20000);
     Camera camera;
     REQUIRE(Camera::make({random_point(random, 100), random_point(random, 100)},
                          Lens::focal_length(PixelLength::from_raw(static_cast<std::int32_t>(2048 * focal)),
-                                            to_world(0.1), to_world(20000)),
+                                            to_world(0.1), to_world(far_plane)),
                          {width, height}, camera) == Status::kOk);
     Object object(kNoMesh, kRed);
     object.scale = to_world(random.decades(0.002, 1000));
@@ -99,9 +102,15 @@ TEST_CASE("vertices of objects of any scale appear where double precision has th
     const ObjectPosition p{c(), c(), c()};
     const Seen exact = see(camera, to_world_space(object, {double(p.x), double(p.y), double(p.z)}), focal);
     const ClipPosition clip = transform(p);
-    if (outcode(clip, transform.near_w()) != kInside || std::abs(exact.x) > 16000 ||
-        std::abs(exact.y) > 16000)
-      continue;
+    const std::uint8_t code = outcode(clip, transform.w_range());
+    // Both distances have 16 fraction bits of a world unit, and the clip coordinates' last units.
+    const double slack = 0x1p-14 + 8 * std::abs(exact.ahead / clip.w);
+    if (std::abs(exact.ahead - far_plane) > slack) {
+      const bool beyond = exact.ahead > far_plane;
+      REQUIRE(((code & kOutsideFar) != 0) == beyond);
+      ++(beyond ? too_far : near_enough);
+    }
+    if (code != kInside || std::abs(exact.x) > 16000 || std::abs(exact.y) > 16000) continue;
     ++seen;
     const RasterPosition raster = project(clip, transform);
     const double error = std::max(std::abs(raster.x - (exact.x + 8 * (width & 1))),
@@ -110,6 +119,8 @@ TEST_CASE("vertices of objects of any scale appear where double precision has th
     worst = std::max(worst, error - 16384 * 8.0 / clip.w - 16 * focal * 0x1p-15 / exact.ahead);
   }
   CHECK(seen > share_of(20000) / 20);
+  CHECK(too_far > share_of(20000) / 20);
+  CHECK(near_enough > share_of(20000) / 20);
   CHECK(worst < 0.6);
 }
 
@@ -185,9 +196,12 @@ TEST_CASE("an orthographic lens is parallel to within 1/8192, with linear depth"
     const Vec3 at =
         turned(camera.rotation(),
                to_world_space(object, {double(p.x), double(p.y), double(p.z)}) - to_vec3(camera.eye()));
+    const ClipPosition clip = transform(p);
+    const double slack = 0x1p-13 + 1e-4 * (far_plane - near_plane);
+    if (-at.z > far_plane + slack) REQUIRE((outcode(clip, transform.w_range()) & kOutsideFar) != 0);
+    if (-at.z < far_plane - slack) REQUIRE((outcode(clip, transform.w_range()) & kOutsideFar) == 0);
     if (-at.z < near_plane || -at.z > far_plane) continue;
     ++seen;
-    const ClipPosition clip = transform(p);
     const RasterPosition raster = project(clip, transform);
     const double x = 16 * 240 / height * at.x;
     const double y = -16 * 240 / height * at.y;

@@ -170,8 +170,8 @@ TEST_CASE("depths of shaded triangles are picked as they are drawn, whatever the
 
 TEST_CASE("of equal depths the object is picked that is drawn first: the nearest") {
   static SceneMemory<SceneMethods, 12> memory;
-  // A triangle in the middle of the picture beyond the far plane, where all depths are the same, and one
-  // beside it that is nearer, so that the middles of spheres are before the far plane.
+  // A far triangle in the middle of the picture, where two objects have the same depth, and a near one beside
+  // it, so that the middles of spheres are where they have different depths.
   TestMesh mesh;
   const Vec3 front{0, 0, 1};
   const std::uint16_t a = mesh.add({-20000, -20000, -20000}, front);
@@ -182,17 +182,22 @@ TEST_CASE("of equal depths the object is picked that is drawn first: the nearest
                 mesh.add({-30000, 31000, 20000}, front));
   const MeshView view = mesh.view();
   Camera camera;
-  REQUIRE(Camera::make({WorldPoint::of(0, 0, 9), {}},
-                       Lens::field_of_view(Turn{10000}, WorldLength::of(0.5), WorldLength::of(9.7)), kScreen,
+  REQUIRE(Camera::make({WorldPoint::of(0, 0, 6), {}},
+                       Lens::field_of_view(Turn{10000}, WorldLength::of(0.02), WorldLength::of(100)), kScreen,
                        camera) == Status::kOk);
   std::vector<Object> objects(2, Object(view, kRed));
-  for (Object& object : objects) object.scale = to_world(2);
-  objects[1].position = WorldPoint::of(0, 0, 0.2);
+  for (Object& object : objects) object.scale = to_world(8);
+  objects[1].position = WorldPoint::of(0, 0, 0.03);
+  const auto depth_at = [&](const Object& object, std::int16_t z) {
+    return camera.project(object, {0, 0, z}).depth;
+  };
+  REQUIRE(depth_at(objects[0], 0) > depth_at(objects[1], 0));
+  REQUIRE(depth_at(objects[0], -20000) == depth_at(objects[1], -20000));
   REQUIRE(ok(prepare_scene({camera, kLights, objects}, memory)));
   const Picked picked = pick(memory, Canvas::kWidth / 2, Canvas::kHeight / 2);
   CHECK(picked.object == &objects[1]);
   CHECK(picked.triangle == 0);
-  CHECK(picked.depth == 65535 - ClipTransform::kDepthMargin);
+  CHECK(picked.depth == depth_at(objects[0], -20000));
 }
 
 TEST_CASE("nothing is picked outside of the picture, before a scene or after a refused one") {

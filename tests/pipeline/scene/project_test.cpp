@@ -104,7 +104,7 @@ TEST_CASE("a point of an object appears where a vertex is drawn") {
     const ScreenPoint screen = camera.project(object, p);
     REQUIRE(screen == screen_point(transform, p));
     const ClipPosition clip = transform(p);
-    const std::uint8_t code = outcode(clip, transform.near_w());
+    const std::uint8_t code = outcode(clip, transform.w_range());
     REQUIRE(screen.in_front == (code != kOutsideNear));
     if (code == kOutsideNear) continue;
     const auto from_middle = [](Subpixel v, std::int32_t size) { return v.raw() - size / 2 * 16; };

@@ -51,7 +51,7 @@ void tally_view(const MeshView& mesh, const ClipTransform& transform, Tally& tal
   std::vector<RasterPosition> raster;
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
     const ClipPosition clip = transform(mesh.position(i));
-    tally.outside += outcode(clip, transform.near_w()) != kInside;
+    tally.outside += outcode(clip, transform.w_range()) != kInside;
     raster.push_back(project(clip, transform));
   }
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
@@ -151,7 +151,7 @@ TEST_CASE("planes cull nearly all back faces of a sphere") {
   }
 }
 
-TEST_CASE("nothing is culled without planes, nor where the near plane or the guard band may clip") {
+TEST_CASE("nothing is culled without planes, nor where a plane or the guard band may clip") {
   Random random(112);
   const PlanedMesh mesh(make_sphere(8, 16, 3000, 0, random));
   TestCamera camera;
@@ -163,6 +163,9 @@ TEST_CASE("nothing is culled without planes, nor where the near plane or the gua
   camera.near_plane = 6100;
   CHECK_FALSE(BackFaces(mesh.view(), camera.transform()).known());
   camera.near_plane = 16;
+  camera.far_plane = 11900;
+  CHECK_FALSE(BackFaces(mesh.view(), camera.transform()).known());
+  camera.far_plane = 200000;
   camera.translation.z = -2000;  // around the eye
   CHECK_FALSE(BackFaces(mesh.view(), camera.transform()).known());
   camera.translation.z = 9000;  // behind it
@@ -212,7 +215,8 @@ TEST_CASE("any planes and any camera are defined") {
                            static_cast<std::uint8_t>(random.integer(0, 17)),
                            static_cast<std::uint16_t>(random.integer(farthest, 65535))};
     REQUIRE(ok(view.attach(planes, scale)));
-    const TestCamera camera = camera_before(random, 1 + scale.radius, random.decades(1e-6, 1e3));
+    TestCamera camera = camera_before(random, 1 + scale.radius, random.decades(1e-6, 1e3));
+    if (random.chance(0.9)) camera.far_plane = 8e6;
     const BackFaces backs(view, camera.transform());
     if (!backs.known()) continue;
     ++known;

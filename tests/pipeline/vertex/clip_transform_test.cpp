@@ -54,7 +54,7 @@ TEST_CASE("projection is the pinhole camera's, rounded to 1/16 pixel") {
     const Vec3 lighting = random_position(random);
     const Vec3 view = camera.to_view(lighting);
     const ClipPosition clip = transform(to_position(lighting));
-    if (outcode(clip, transform.near_w()) != kInside) continue;
+    if (outcode(clip, transform.w_range()) != kInside) continue;
     ++seen;
     const RasterPosition got = project(clip, transform);
     const double w = -view.z;
@@ -90,7 +90,7 @@ TEST_CASE("clip outcodes agree with the view volume up to rounding") {
     // Clear cases only: a thousandth of the farthest corner away from every plane.
     const double slack = 1e-3 * (length(camera.translation) + 56756);
     const double x = camera.focal / 1024 * view.x;
-    const std::uint8_t code = outcode(clip, transform.near_w());
+    const std::uint8_t code = outcode(clip, transform.w_range());
     if (w < camera.near_plane - slack) {
       wrong += code == kOutsideNear ? 0 : 1;
     } else if (w > camera.near_plane + slack) {
@@ -98,6 +98,8 @@ TEST_CASE("clip outcodes agree with the view volume up to rounding") {
       if (x > w + scaled_slack) wrong += (code & kOutsideRight) != 0 ? 0 : 1;
       if (x < -w - scaled_slack) wrong += (code & kOutsideLeft) != 0 ? 0 : 1;
       if (std::abs(x) < w - scaled_slack) wrong += (code & (kOutsideLeft | kOutsideRight)) == 0 ? 0 : 1;
+      if (w > camera.far_plane + slack) wrong += (code & kOutsideFar) != 0 ? 0 : 1;
+      if (w < camera.far_plane - slack) wrong += (code & kOutsideFar) == 0 ? 0 : 1;
     }
   }
   CHECK(wrong == 0);
@@ -155,7 +157,7 @@ TEST_CASE("a near plane behind everything hides everything") {
     camera.translation = {0, 0, -20000};
     const ClipTransform transform = camera.transform();
     INFO("near " << near_plane);
-    CHECK(outcode(transform({0, 0, 0}), transform.near_w()) == kOutsideNear);
-    CHECK(outcode(transform({-32768, 32767, -32768}), transform.near_w()) == kOutsideNear);
+    CHECK(outcode(transform({0, 0, 0}), transform.w_range()) == kOutsideNear);
+    CHECK(outcode(transform({-32768, 32767, -32768}), transform.w_range()) == kOutsideNear);
   }
 }

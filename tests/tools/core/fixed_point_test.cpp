@@ -43,7 +43,7 @@ ScreenBox screen_box(const FixedMesh& mesh, const ClipTransform& transform) {
   ScreenBox box;
   for (const ObjectPosition& p : mesh.positions) {
     const ClipPosition clip = transform(p);
-    REQUIRE(outcode(clip, transform.near_w()) == kInside);
+    REQUIRE(outcode(clip, transform.w_range()) == kInside);
     const RasterPosition at = project(clip, transform);
     const int x = at.x / 16 + transform.viewport().width / 2;
     const int y = at.y / 16 + transform.viewport().height / 2;

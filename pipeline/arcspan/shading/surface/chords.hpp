@@ -14,7 +14,7 @@ namespace arcspan {
 
 /// A vertex as `Arc` interpolates it: a normal M and scalars that are linear in it.
 ///
-/// Normals of a mesh have length 1. Where the near plane or the guard band cuts an edge, M is the point of
+/// Normals of a mesh have length 1. Where a clip plane cuts an edge, M is the point of
 /// the chord between the two normals, which is shorter. It is not normalised, so that the normal stays linear
 /// along the edge; `deficit` is what is missing.
 template <std::size_t Count>

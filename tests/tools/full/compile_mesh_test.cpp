@@ -7,6 +7,7 @@
 #include <arcspan_tools/mesh/compile/tidy.hpp>
 #include <arcspan_tools/mesh/plain/crease.hpp>
 #include <arcspan_tools/mesh/plain/generate.hpp>
+#include <arcspan_tools/mesh/plain/subset.hpp>
 #include <arcspan_tools/output/mesh_writer.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <catch2/catch.hpp>
@@ -104,6 +105,54 @@ TEST_CASE("a simplified sphere keeps its volume") {
   CHECK(volume(simple.mesh) == Approx(whole).epsilon(0.03));
   CHECK(simple.error > 0);
   CHECK(simple.error < 0.05);
+}
+
+TEST_CASE("pieces of a mesh have all of its triangles, in order, and no more vertices than allowed") {
+  MeshData torus = made("torus:48x24");
+  for (const Vec3& p : torus.positions) torus.texture_points.push_back({p.x, p.z});
+  const std::size_t most = GENERATE(3u, 50u, 700u, 5000u);
+  const std::vector<MeshData> pieces = in_pieces(torus, most);
+  CHECK((pieces.size() == 1) == (most == 5000));
+  std::size_t next = 0;
+  for (const MeshData& piece : pieces) {
+    CHECK(piece.positions.size() <= most);
+    if (&piece != &pieces.back()) CHECK(piece.positions.size() + 3 > most);
+    for (const auto& triangle : piece.triangles) {
+      REQUIRE(next < torus.triangles.size());
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t mine = triangle[k];
+        const std::uint32_t whole = torus.triangles[next][k];
+        REQUIRE(piece.positions[mine] == torus.positions[whole]);
+        REQUIRE(piece.normals[mine] == torus.normals[whole]);
+        REQUIRE(piece.texture_points[mine] == torus.texture_points[whole]);
+      }
+      ++next;
+    }
+  }
+  CHECK(next == torus.triangles.size());
+}
+
+TEST_CASE("a mesh of more vertices than indices reach becomes two, unless it is simplified first") {
+  constexpr std::uint32_t kSide = 280;
+  MeshData field;
+  for (std::uint32_t y = 0; y < kSide; ++y) {
+    for (std::uint32_t x = 0; x < kSide; ++x) {
+      field.positions.push_back({double(x), std::sin(0.05 * x) * std::cos(0.07 * y) * 9, double(y)});
+      field.normals.push_back({0, 1, 0});
+      if (x == 0 || y == 0) continue;
+      const std::uint32_t at = y * kSide + x;
+      field.triangles.push_back({at, at - kSide, at - kSide - 1});
+      field.triangles.push_back({at, at - kSide - 1, at - 1});
+    }
+  }
+  const CompiledModel whole = compiled(to_model(field), {});
+  REQUIRE(whole.model.meshes.size() == 2);
+  CHECK(whole.model.looks.size() == 2);
+  CHECK(whole.model.triangle_count() == field.triangles.size());
+  for (const FixedMesh& mesh : whole.model.meshes) CHECK_NOTHROW(mesh.view("test"));
+  const CompiledModel few = compiled(to_model(field), {1000, {}, {}});
+  CHECK(few.model.meshes.size() == 1);
+  CHECK(few.model.triangle_count() > 900);
 }
 
 TEST_CASE("a mesh whose every edge is a crease is simplified all the same") {

@@ -161,8 +161,8 @@ TEST_CASE("every wrong OBJ gets a line that names the place and the value") {
 
 TEST_CASE("a mesh that is too large names the limit") {
   std::string many = kSquare;
-  for (int i = 0; i <= 262'144; ++i) many += "f 1 2 3\n";
-  CHECK(complaint("a.obj", many) == "too many triangles (more than 262144, the limit)");
+  for (std::size_t i = 0; i <= kMaxTriangles; ++i) many += "f 1 2 3\n";
+  CHECK(complaint("a.obj", many) == "too many triangles (more than 1048576, the limit)");
   std::string vertices;
   std::string faces;
   for (int i = 0; i < 66'000; ++i)
@@ -194,8 +194,8 @@ TEST_CASE("OFF: a cube, and what can be wrong with one") {
         "line 7: number of corners out of range (5000; allowed are 0 to 4096)");
   CHECK(complaint("a.off", "OFF\n") == "line 1: the file ends before its counts");
   CHECK(complaint("a.off", "OFF\n4 x 0\n") == "line 2: 'x' is not an integer (face count)");
-  CHECK(complaint("a.off", "OFF\n4 999999 0\n") ==
-        "line 2: face count out of range (999999; allowed are 1 to 262144)");
+  CHECK(complaint("a.off", "OFF\n4 9999999 0\n") ==
+        "line 2: face count out of range (9999999; allowed are 1 to 1048576)");
   CHECK(complaint("a.off", head + "3 0 1 2\n") == "line 7: the file ends before face 2 of 2");
   CHECK(complaint("a.off", head + "3 0 1 4\n3 0 1 2\n") ==
         "line 7: vertex index out of range (4; allowed are 0 to 3)");
@@ -274,7 +274,7 @@ TEST_CASE("STL: text and binary, and what can be wrong with them") {
   put(10, "\x00\x00\xC0\x7F");
   CHECK(complaint("a.stl", binary) == "a coordinate of triangle 1 is not a finite number");
   binary[82] = 0x7F;
-  CHECK(complaint("a.stl", binary) == "too many triangles (8323073; the limit is 262144)");
+  CHECK(complaint("a.stl", binary) == "too many triangles (8323073; the limit is 1048576)");
 }
 
 TEST_CASE("STL: text in upper case, with a byte order mark, in UTF-16, and with line ends of old Macs") {
@@ -392,9 +392,9 @@ TEST_CASE("OBJ: line ends of old Macs, and a face of too many corners") {
   CHECK(complaint("a.obj", polygon + " 4097") ==
         "line 4098: a face has too many corners (4097; the limit is 4096)");
   std::string many = polygon + "\n";
-  for (int i = 0; i < 6; ++i) many += many.substr(many.find('f'));
+  for (int i = 0; i < 8; ++i) many += many.substr(many.find('f'));
   CHECK(complaint("a.obj", many + many.substr(many.find('f'))) ==
-        "too many triangles (more than 262144, the limit)");
+        "too many triangles (more than 1048576, the limit)");
 }
 
 TEST_CASE("Collada: a concave polygon keeps its notch") {

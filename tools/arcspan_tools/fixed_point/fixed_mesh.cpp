@@ -5,6 +5,7 @@
 #include <arcspan_tools/fixed_point/curve_room.hpp>
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/fixed_point/rounding.hpp>
+#include <arcspan_tools/mesh/plain/subset.hpp>
 #include <arcspan_tools/support/failure.hpp>
 
 #include <algorithm>
@@ -124,8 +125,10 @@ FixedModel to_fixed(const Model& model, const Box& box) {
   FixedModel fixed;
   fixed.rig = model.rig;
   for (const ModelPart& part : model.parts) {
-    fixed.meshes.push_back(fixed_within(box, part.mesh, part.look.material.sampler));
-    fixed.looks.push_back(part.look);
+    for (const MeshData& piece : in_pieces(part.mesh, kMaxVertices)) {
+      fixed.meshes.push_back(fixed_within(box, piece, part.look.material.sampler));
+      fixed.looks.push_back(part.look);
+    }
   }
   return fixed;
 }

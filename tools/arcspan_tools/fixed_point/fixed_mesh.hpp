@@ -39,8 +39,8 @@ struct FixedMesh {
   [[nodiscard]] MeshView view(const std::string& subject) const;
 };
 
-/// A model as the pipeline takes it: one mesh for each part. All meshes have the same unit and centre, so
-/// that one transform places them.
+/// A model as the pipeline takes it: one mesh for each part, several for one of more than kMaxVertices. All
+/// meshes have the same unit and centre, so that one transform places them.
 struct FixedModel {
   std::vector<FixedMesh> meshes;
   std::vector<PartLook> looks;                        ///< of each mesh
@@ -70,7 +70,8 @@ class FixedMeshes : public std::span<const FixedMesh> {
 
 /// Centres and scales `mesh` so that its largest extent fills 16 bits, and rounds. Texture points are moved
 /// by whole widths and heights of the texture, by even ones where it is mirrored and not at all where it is
-/// clamped, so that they have as many fraction bits as possible. They must be in the range of weld_parts().
+/// clamped, so that they have as many fraction bits as possible. They must be in the range of weld_parts();
+/// there must be at most kMaxVertices.
 [[nodiscard]] FixedMesh to_fixed(const MeshData& mesh);
 
 /// Centres and scales all parts of `model` alike, so that its largest extent, or that of all its poses, and

@@ -2,9 +2,12 @@
 #include <arcspan_tools/mesh/compile/simplify.hpp>
 #include <arcspan_tools/mesh/plain/crease.hpp>
 #include <arcspan_tools/mesh/plain/positions.hpp>
+#include <arcspan_tools/mesh/plain/subset.hpp>
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -64,37 +67,20 @@ std::vector<unsigned> run_library(const LibraryMesh& mesh, const std::vector<uns
   return to;
 }
 
-/// The indices of each part, counted from its own first vertex.
-std::vector<std::vector<unsigned>> by_part(const LibraryMesh& mesh, const std::vector<unsigned>& indices) {
-  std::vector<std::vector<unsigned>> parts(mesh.first_vertices.size());
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// The triangles of each part, whose indices count from its own first vertex.
+std::vector<Triangles> by_part(const LibraryMesh& mesh, const std::vector<unsigned>& indices) {
+  std::vector<Triangles> parts(mesh.first_vertices.size());
   const auto& first = mesh.first_vertices;
-  for (const unsigned index : indices) {
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     const auto part =
-        static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), index) - first.begin()) - 1;
-    parts[part].push_back(static_cast<unsigned>(index - first[part]));
+        static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), indices[i]) - first.begin()) -
+        1;
+    const auto own = [&](std::size_t k) { return static_cast<std::uint32_t>(indices[i + k] - first[part]); };
+    parts[part].push_back({own(0), own(1), own(2)});
   }
   return parts;
-}
-
-/// The vertices that are still used, in their old order.
-MeshData without_unused(const MeshData& mesh, const std::vector<unsigned>& indices) {
-  constexpr std::uint32_t kUnused = 0xFFFFFFFF;
-  std::vector<std::uint32_t> now(mesh.positions.size(), kUnused);
-  for (const unsigned index : indices) now[index] = 0;
-  MeshData out;
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    if (now[i] == kUnused) continue;
-    now[i] = static_cast<std::uint32_t>(out.positions.size());
-    out.positions.push_back(mesh.positions[i]);
-    out.normals.push_back(mesh.normals[i]);
-    if (!mesh.texture_points.empty()) out.texture_points.push_back(mesh.texture_points[i]);
-    if (!mesh.colours.empty()) out.colours.push_back(mesh.colours[i]);
-    if (!mesh.sources.empty()) out.sources.push_back(mesh.sources[i]);
-  }
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    out.triangles.push_back({now[indices[i]], now[indices[i + 1]], now[indices[i + 2]]});
-  }
-  return out;
 }
 
 /// The parts of `model` that still have triangles, reduced to them.
@@ -103,10 +89,10 @@ Model reduced(const Model& model, const LibraryMesh& library, const std::vector<
   out.dropped_faces = model.dropped_faces;
   out.rig = model.rig;
   out.reach = model.reach;
-  const std::vector<std::vector<unsigned>> parts = by_part(library, indices);
+  const std::vector<Triangles> parts = by_part(library, indices);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].empty()) continue;
-    out.parts.push_back({model.parts[i].look, without_unused(model.parts[i].mesh, parts[i])});
+    out.parts.push_back({model.parts[i].look, subset(model.parts[i].mesh, parts[i])});
   }
   return out;
 }

@@ -11,7 +11,7 @@
 
 namespace arcspan::tools {
 
-/// Largest model file: a text file of kMaxTriangles triangles needs about a tenth of this.
+/// Largest model file: a text file of kMaxTriangles triangles needs about a third of this.
 inline constexpr std::size_t kMostFileBytes = std::size_t{256} << 20;
 
 enum class MeshFormat { kObj, kPly, kStl, kOff, kGltf, kCollada, kFbx, k3ds };

@@ -14,10 +14,10 @@
 
 namespace arcspan::tools {
 
-/// Most vertices of a mesh: the pipeline's indices have 16 bits.
+/// Most vertices of a mesh of the pipeline, whose indices have 16 bits. Larger ones become several.
 inline constexpr std::size_t kMaxVertices = 65'536;
-/// Most triangles of a mesh: twice what a closed surface of kMaxVertices has.
-inline constexpr std::size_t kMaxTriangles = 262'144;
+/// Most triangles of a model.
+inline constexpr std::size_t kMaxTriangles = 1'048'576;
 
 /// The largest number in a mesh file, for which products of three still fit a double.
 inline constexpr double kMostCoordinate = 1e30;

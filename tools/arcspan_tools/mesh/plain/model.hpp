@@ -129,10 +129,10 @@ enum class TexturePointsOf : std::uint8_t { kTexturedParts, kAllParts };
 enum class VertexColours : std::uint8_t { kMean, kKept };
 
 /// Joins corners into vertices as weld() does, part by part and with texture points; normals are averaged
-/// across parts. Parts without triangles are left out. The limit of vertices holds for each part, that of
-/// triangles for the model. The texture of a part that has no texture points, or some that are more than
-/// kMostTextures apart or half of it away from a clamped texture, is left out, with a warning. Texture points
-/// must be finite.
+/// across parts. Parts without triangles are left out. The limit of vertices holds for each part that
+/// moves, that of triangles for the model. The texture of a part that has no texture points, or some that are
+/// more than kMostTextures apart or half of it away from a clamped texture, is left out, with a warning.
+/// Texture points must be finite.
 [[nodiscard]] Model weld_parts(const RawModel& raw, const std::string& subject,
                                TexturePointsOf points = TexturePointsOf::kTexturedParts);
 

@@ -128,7 +128,8 @@ class Welder {
       const Rgb8 colour = triangle[i].colour.value_or(Rgb8{});
       indices[i] = index_of({position, normal, point, colour, triangle[i].source});
     }
-    check_limit(subject, "vertices", mesh_.positions.size(), kMaxVertices);
+    // A part that moves stays one, because its vertices are numbered from those of the rig.
+    if (with_sources_) check_limit(subject, "vertices", mesh_.positions.size(), kMaxVertices);
     mesh_.triangles.push_back(indices);
   }
   [[nodiscard]] MeshData& mesh() { return mesh_; }
@@ -196,6 +197,7 @@ std::vector<bool> looks_with(const RawModel& raw, const Has& has) {
 
 MeshData weld(const RawMesh& raw, const std::string& subject) {
   Model model = weld_parts({raw, {{}}, std::vector<std::uint32_t>(raw.triangles.size()), {}}, subject);
+  check_limit(subject, "vertices", model.vertex_count(), kMaxVertices);
   model.parts[0].mesh.dropped_faces = model.dropped_faces;
   return std::move(model.parts[0].mesh);
 }

@@ -67,11 +67,11 @@ std::vector<unsigned> run_library(const LibraryMesh& mesh, const std::vector<uns
   return to;
 }
 
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using TriangleList = std::vector<std::array<std::uint32_t, 3>>;
 
 /// The triangles of each part, whose indices count from its own first vertex.
-std::vector<Triangles> by_part(const LibraryMesh& mesh, const std::vector<unsigned>& indices) {
-  std::vector<Triangles> parts(mesh.first_vertices.size());
+std::vector<TriangleList> by_part(const LibraryMesh& mesh, const std::vector<unsigned>& indices) {
+  std::vector<TriangleList> parts(mesh.first_vertices.size());
   const auto& first = mesh.first_vertices;
   for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
     const auto part =
@@ -89,7 +89,7 @@ Model reduced(const Model& model, const LibraryMesh& library, const std::vector<
   out.dropped_faces = model.dropped_faces;
   out.rig = model.rig;
   out.reach = model.reach;
-  const std::vector<Triangles> parts = by_part(library, indices);
+  const std::vector<TriangleList> parts = by_part(library, indices);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].empty()) continue;
     out.parts.push_back({model.parts[i].look, subset(model.parts[i].mesh, parts[i])});

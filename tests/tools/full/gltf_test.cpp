@@ -294,6 +294,14 @@ TEST_CASE("glTF: what is not drawn is named once") {
           "(1), textures other than the base colour's (1)"});
 }
 
+TEST_CASE("glTF: corners that make no whole triangle are said") {
+  json gltf = square();
+  gltf["accessors"][1]["count"] = 5;
+  const Model model = loaded(gltf);
+  CHECK(model.triangle_count() == 1);
+  CHECK(model.warnings == Lines{"left out: incomplete triangles (1)"});
+}
+
 TEST_CASE("glTF: a primitive without a material is white") {
   json gltf = square();
   gltf["meshes"][0]["primitives"][0].erase("material");

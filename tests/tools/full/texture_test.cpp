@@ -94,6 +94,14 @@ TEST_CASE("pictures of each kind are read with their opacity, and refused when t
   }
 }
 
+TEST_CASE("a TGA whose rows run from right to left is refused, not mirrored") {
+  std::string file;
+  stbi_write_tga_to_func(append_bytes, &file, 20, 12, 4, shades(20, 12).pixels.data());
+  file[17] = static_cast<char>(file[17] | 16);
+  CHECK(message_of<Failure>([&] { (void)decode_rgba(file, "a.tga"); }) ==
+        "a.tga: a TGA picture with rows from right to left, which cannot be read");
+}
+
 TEST_CASE("a JPEG is read, and refused when it is truncated") {
   RgbaImage image = shades(32, 32);
   for (Rgba8& c : image.pixels) c.a = 255;

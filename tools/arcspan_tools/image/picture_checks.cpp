@@ -39,6 +39,9 @@ class PictureBytes {
   [[noreturn]] void damaged(const std::string& what) const {
     throw Failure(subject_, std::string("a damaged ") + kind_ + " picture (" + what + ")");
   }
+  [[noreturn]] void unreadable(const std::string& what) const {
+    throw Failure(subject_, std::string("a ") + kind_ + " picture with " + what + ", which cannot be read");
+  }
   [[nodiscard]] PictureHeader header(std::int64_t width, std::int64_t height) const {
     const PictureHeader header{kind_, width, height};
     check_picture_size(header, subject_);
@@ -129,8 +132,10 @@ PictureHeader check_bmp(const PictureBytes& bytes) {
 PictureHeader check_tga(const PictureBytes& bytes) {
   constexpr std::size_t kHeaderBytes = 18;
   constexpr std::uint32_t kRunLengths = 8;  // bit of the type
+  constexpr std::uint32_t kFromRight = 16;  // bit of the descriptor, which the library ignores
   const PictureHeader header = bytes.header(bytes.little(12, 2), bytes.little(14, 2));
   if (bytes.big(1, 1) > 1) bytes.damaged("its palette is of an unknown type");  // or it is another format
+  if ((bytes.big(17, 1) & kFromRight) != 0) bytes.unreadable("rows from right to left");
   const std::uint32_t map_bytes = bytes.little(5, 2) * ((bytes.big(7, 1) + 7) / 8);
   const std::uint32_t pixel_bytes = (bytes.big(16, 1) + 7) / 8;
   auto left = static_cast<std::uint64_t>(header.width * header.height);

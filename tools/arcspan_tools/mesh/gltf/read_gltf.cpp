@@ -239,6 +239,7 @@ class GltfReader {
       for (std::size_t i = 0; i < vertices; ++i) corners.push_back(i);
     }
     primitive.indices = triangulated(corners, mode);
+    if (primitive.indices.size() % 3 != 0) left_out_.add("incomplete triangles");
     return primitive;
   }
 

@@ -50,10 +50,7 @@ class CurveFinder {
         curve_positions_(curve_positions),
         curve_normals_(curve_normals) {}
 
-  void put(const TriangleIndices& ends, TriangleSide side, bool is_silhouette) {
-    const bool is_front = side == TriangleSide::kFront;
-    const std::size_t from = is_front ? ends.a : ends.b;
-    const std::size_t to = is_front ? ends.b : ends.a;
+  void put(std::size_t from, std::size_t to, bool is_silhouette) {
     const OutlineEdge edge{positions_(mesh_, from), positions_(mesh_, to)};
     RasterPosition middle;
     if (is_silhouette && put_curve(from, to, edge, middle)) {

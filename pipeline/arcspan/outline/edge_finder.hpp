@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace arcspan::detail {
 
@@ -18,7 +19,7 @@ namespace arcspan::detail {
 }
 
 /// For the first byte of a triangle: how many numbers of neighbours follow, and kMarked if there is a border
-/// or a crease.
+/// or a crease, or no number.
 inline constexpr std::uint8_t kMarked = 4;
 inline constexpr std::array<std::uint8_t, 64> kNumbersAfter = [] {
   std::array<std::uint8_t, 64> numbers{};
@@ -28,13 +29,37 @@ inline constexpr std::array<std::uint8_t, 64> kNumbersAfter = [] {
       if (has_distance(kind)) ++numbers[kinds];
       if (kind == EdgeKind::kBorder || kind == EdgeKind::kCrease) numbers[kinds] |= kMarked;
     }
+    if (numbers[kinds] == 0) numbers[kinds] = kMarked;
   }
   return numbers;
 }();
 
-/// Finds the outlines of one object, and calls edges.put(ends, side, is_silhouette) for each: `ends` from a
-/// to b in the order of OutlineEdge if `side` is kFront, otherwise from b to a. At a silhouette the surface
-/// turns away: a front is seen, and the triangle beyond is hidden.
+/// What the edge between a triangle and one beyond it is, by the sides of both: kHidden, or the side that the
+/// first one shows or would show, which tells the way along the edge. At a silhouette the surface turns away:
+/// a front is seen, and the triangle beyond is hidden.
+struct EdgeSides {
+  TriangleSide side;
+  bool is_silhouette;
+};
+inline constexpr std::array<EdgeSides, 16> kEdgeSides = [] {
+  using enum TriangleSide;
+  std::array<EdgeSides, 16> all{};
+  const auto set = [&](TriangleSide a, TriangleSide b, TriangleSide side, bool is_silhouette) {
+    all[4 * static_cast<std::size_t>(a) + static_cast<std::size_t>(b)] = {side, is_silhouette};
+  };
+  set(kFront, kHidden, kFront, true);
+  set(kFront, kBack, kFront, false);
+  set(kFront, kFront, kFront, false);  // a crease
+  set(kHidden, kFront, kBack, true);
+  set(kHidden, kBack, kFront, false);
+  set(kBack, kFront, kBack, false);
+  set(kBack, kHidden, kBack, false);
+  set(kBack, kBack, kBack, false);  // a crease
+  return all;
+}();
+
+/// Finds the outlines of one object, and calls edges.put(from, to, is_silhouette) for each: vertices in the
+/// order of OutlineEdge. A crease follows in the opposite direction.
 template <class Edges>
 class EdgeFinder {
  public:
@@ -43,62 +68,50 @@ class EdgeFinder {
 
   void find(const std::uint8_t* at) {
     const TriangleSide* const end = sides_ + mesh_.triangle_count();
-    for (const TriangleSide* side = sides_; side != end; ++side) at = find_of_triangle(side, at);
+    for (const TriangleSide* side = sides_; side != end;) at = find_of_triangle(side, at);
   }
 
  private:
-  /// Returns the bytes of the next triangle. Most triangles have no outline: their neighbours show the same
-  /// side, and they are not marked, or not seen.
-  ARCSPAN_INLINE const std::uint8_t* find_of_triangle(const TriangleSide* side, const std::uint8_t* at) {
-    const TriangleSide own = *side;
+  /// Goes to the next triangle, and returns its bytes. Most triangles have no outline: their neighbours show
+  /// the same side, and they are not marked, or not seen.
+  ARCSPAN_INLINE const std::uint8_t* find_of_triangle(const TriangleSide*& next_side,
+                                                      const std::uint8_t* at) {
     const std::uint8_t* next = at + 1;
     unsigned numbers = kNumbersAfter[*at];
+    const TriangleSide own = *next_side++;
     if (numbers >= kMarked) {
-      if (is_seen(own)) return put_differing(side, at);
+      if (is_seen(own)) return put_differing(next_side, at);
       numbers -= kMarked;
+      if (numbers == 0) return next;
     }
-    for (; numbers != 0; --numbers)
-      if (side[read_distance(next)] != own) return put_differing(side, at);
+    do {
+      if (next_side[read_distance(next) - 1] != own) return put_differing(next_side, at);
+    } while (--numbers != 0);
     return next;
   }
 
   /// Puts the outlines among the edges of a triangle. Returns the bytes of the next one.
-  ARCSPAN_OUTLINE const std::uint8_t* put_differing(const TriangleSide* at_side, const std::uint8_t* at) {
-    const auto i = static_cast<std::size_t>(at_side - sides_);
+  ARCSPAN_OUTLINE const std::uint8_t* put_differing(const TriangleSide* next_side, const std::uint8_t* at) {
+    const TriangleSide* const side = next_side - 1;
+    const TriangleSide own = *side;
+    TriangleIndices t = mesh_.triangle(static_cast<std::size_t>(side - sides_));
     unsigned kinds = *at++;
-    const TriangleSide side = sides_[i];
-    for (unsigned edge = 0; edge < 3; ++edge, kinds >>= 2) {
+    for (unsigned edge = 0; edge < 3; ++edge, kinds >>= 2, t = {t.b, t.c, t.a}) {
       const EdgeKind kind = edge_kind(kinds, 0);
-      if (kind == EdgeKind::kBorder && is_seen(side)) put(i, edge, side);
-      if (!has_distance(kind)) continue;
-      const TriangleSide beyond = sides_[i + read_distance(at)];
-      if (side != beyond || kind == EdgeKind::kCrease) put_between(i, edge, side, beyond, kind);
+      if (kind == EdgeKind::kEarlier) continue;
+      const bool is_border = kind == EdgeKind::kBorder;
+      const TriangleSide beyond = is_border ? TriangleSide::kHidden : side[read_distance(at)];
+      if (own == beyond && kind != EdgeKind::kCrease) continue;
+      const EdgeSides& sides =
+          kEdgeSides[4 * static_cast<std::size_t>(own) + static_cast<std::size_t>(beyond)];
+      if (sides.side == TriangleSide::kHidden) continue;
+      std::size_t from = t.a;
+      std::size_t to = t.b;
+      if (sides.side == TriangleSide::kBack) std::swap(from, to);
+      edges_.put(from, to, sides.is_silhouette && !is_border);
+      if (own == beyond) edges_.put(to, from, false);
     }
     return at;
-  }
-
-  /// Puts an edge between two triangles.
-  void put_between(std::size_t i, unsigned edge, TriangleSide side, TriangleSide beyond, EdgeKind kind) {
-    if (side == TriangleSide::kCut || beyond == TriangleSide::kCut) return;
-    if (side == beyond) {
-      if (kind != EdgeKind::kCrease || !is_seen(side)) return;
-      put(i, edge, side);
-      put(i, edge, other_way(beyond));
-    } else if (side == TriangleSide::kFront || beyond == TriangleSide::kHidden) {
-      put(i, edge, side, side == TriangleSide::kFront && beyond == TriangleSide::kHidden);
-    } else {
-      put(i, edge, other_way(beyond), beyond == TriangleSide::kFront && side == TriangleSide::kHidden);
-    }
-  }
-
-  /// The edge of the triangle beyond runs in the opposite direction.
-  [[nodiscard]] static TriangleSide other_way(TriangleSide side) {
-    return side == TriangleSide::kFront ? TriangleSide::kBack : TriangleSide::kFront;
-  }
-
-  /// Puts an edge of triangle i, which shows `side`.
-  void put(std::size_t i, unsigned edge, TriangleSide side, bool is_silhouette = false) {
-    edges_.put(edge_of(mesh_.triangle(i), edge), side, is_silhouette);
   }
 
   const MeshView& mesh_;

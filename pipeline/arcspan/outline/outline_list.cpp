@@ -17,11 +17,11 @@ class ListedEdges {
   ListedEdges(const MeshView& mesh, const VertexPositions& positions, std::span<OutlineEdge> memory)
       : mesh_(mesh), positions_(positions), memory_(memory) {}
 
-  ARCSPAN_INLINE void put(const TriangleIndices& ends, TriangleSide side, bool) {
+  ARCSPAN_OUTLINE void put(std::size_t from, std::size_t to, bool) {
     if (count_ < memory_.size()) {
-      const RasterPosition a = positions_(mesh_, ends.a);
-      const RasterPosition b = positions_(mesh_, ends.b);
-      memory_[count_] = side == TriangleSide::kFront ? OutlineEdge{a, b} : OutlineEdge{b, a};
+      OutlineEdge& edge = memory_[count_];
+      positions_.take(mesh_, from, edge.from);
+      positions_.take(mesh_, to, edge.to);
     }
     ++count_;
   }
@@ -48,10 +48,8 @@ class ListedEdges {
 
 }  // namespace
 
-RasterPosition VertexPositions::operator()(const MeshView& mesh, std::size_t i) const {
-  if (cached_ == nullptr || outcodes_[i * stride_] == kNotTransformed)
-    return project((*transform_)(mesh.position(i)), *transform_);
-  return *static_cast<const RasterPosition*>(static_cast<const void*>(cached_ + i * stride_));
+void VertexPositions::transform(const MeshView& mesh, std::size_t i, RasterPosition& position) const {
+  position = project((*transform_)(mesh.position(i)), *transform_);
 }
 
 Status OutlineList::check(const MeshView& mesh, const MeshNeighbours& neighbours,

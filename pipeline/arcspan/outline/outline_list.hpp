@@ -6,6 +6,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
@@ -40,7 +41,16 @@ class VertexPositions {
   }
 
   /// The position of vertex `i` of a mesh, which must be below count() and inside the clip volume.
-  [[nodiscard]] RasterPosition operator()(const MeshView& mesh, std::size_t i) const;
+  [[nodiscard]] RasterPosition operator()(const MeshView& mesh, std::size_t i) const {
+    RasterPosition position;
+    take(mesh, i, position);
+    return position;
+  }
+  /// Sets `position` to it.
+  void take(const MeshView& mesh, std::size_t i, RasterPosition& position) const {
+    if (cached_ == nullptr || outcodes_[i * stride_] == kNotTransformed) return transform(mesh, i, position);
+    position = *static_cast<const RasterPosition*>(static_cast<const void*>(cached_ + i * stride_));
+  }
   /// The number of vertices whose positions are there.
   [[nodiscard]] constexpr std::size_t count() const { return count_; }
   [[nodiscard]] constexpr const Viewport& viewport() const { return transform_->viewport(); }
@@ -49,6 +59,7 @@ class VertexPositions {
  private:
   static constexpr std::uint8_t kNotTransformed = 0xFF;  ///< as in every CachedVertex
 
+  void transform(const MeshView& mesh, std::size_t i, RasterPosition& position) const;
   template <class T>
   [[nodiscard]] static const std::uint8_t* bytes_of(const T& member) {
     return static_cast<const std::uint8_t*>(static_cast<const void*>(&member));

@@ -205,7 +205,7 @@ struct EdgeCounter {
   double count = 0;
   double silhouettes = 0;
 
-  void put(const TriangleIndices&, TriangleSide, bool is_silhouette) {
+  void put(std::size_t, std::size_t, bool is_silhouette) {
     ++count;
     if (is_silhouette) ++silhouettes;
   }

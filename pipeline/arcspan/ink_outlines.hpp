@@ -2,11 +2,11 @@
 #pragma once
 
 #include <arcspan/draw/scissor.hpp>
-#include <arcspan/outline/exchange.hpp>
 #include <arcspan/outline/ink_pixels.hpp>
 #include <arcspan/outline/ink_walk.hpp>
 #include <arcspan/outline/outline_gap.hpp>
 #include <arcspan/outline/outline_list.hpp>
+#include <arcspan/outline/outline_way.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/span/depth.hpp>
@@ -30,103 +30,50 @@ struct OutlineInk {
 
 namespace detail {
 
-/// Inks outlines in a rectangle of the picture, which is not empty. Steep edges are walked by rows, flat ones
-/// by columns: what is said of rows and columns here is true of columns and rows then. `Pixels` is InkPixels.
+/// Inks outlines in a rectangle of the picture, which is not empty. `Pixels` is InkPixels.
 template <class Pixels>
 class OutlineInker {
  public:
   OutlineInker(const Scissor& scissor, const DepthBuffer& depth, std::int32_t width, Pixels& pixels)
-      : pixels_(pixels),
-        width_(width),
-        by_rows_{relative_to(scissor.origin(), scissor.rect()),
-                 {depth.stride(), std::uint32_t{1} << 16},
-                 {1, 1},
-                 place_of(scissor.rect(), depth),
-                 false},
-        by_columns_{exchanged(by_rows_.rect), by_rows_.column, by_rows_.row, by_rows_.first, true} {}
+      : pixels_(pixels), width_(width), rect_(scissor, depth) {}
 
   /// Inks the side of an edge on which the surface is not.
   void ink_outline(const OutlineEdge& edge) {
-    const Way way(*this, edge);
-    if (is_outside(way.direction->rect, edge, way.direction->exchanged)) return;
-    ink_side(*way.direction, way.top, way.bottom, way.side);
-  }
-  /// Inks both sides of an edge, half a pixel of each.
-  void ink_crease(const OutlineEdge& edge) {
-    const Way way(*this, edge);
-    if (is_outside(way.direction->rect, edge, way.direction->exchanged)) return;
-    ink_middle(*way.direction, way.top, way.bottom);
-  }
-
- private:
-  /// How edges are walked.
-  struct Direction {
-    Rect rect;  ///< relative to the origin
-    InkStep row;
-    InkStep column;
-    InkPlace first;  ///< the first pixel of `rect`
-    bool exchanged;
-
-    /// The pixel so many columns and rows from the first one. It may lie outside, from where steps lead
-    /// inside.
-    [[nodiscard]] InkPlace at(std::int32_t columns, std::int32_t rows) const {
-      InkPlace place = first;
-      place += column.times(columns);
-      place += row.times(rows);
-      return place;
-    }
-  };
-  /// An edge from top to bottom, and on which side of it the surface is not: left (-1) or right (0).
-  struct Way {
-    const Direction* direction;
-    RasterPosition top;
-    RasterPosition bottom;
-    std::int32_t side;
-
-    Way(const OutlineInker& inker, const OutlineEdge& edge) {
-      const std::int32_t dx = std::int32_t{edge.to.x} - edge.from.x;
-      const std::int32_t dy = std::int32_t{edge.to.y} - edge.from.y;
-      const bool steep = magnitude_of(dy) >= magnitude_of(dx);
-      // The surface lies right of an edge that leads down, and above one that leads to the right.
-      const bool upward = steep ? dy < 0 : dx < 0;
-      direction = steep ? &inker.by_rows_ : &inker.by_columns_;
-      top = upward ? edge.to : edge.from;
-      bottom = upward ? edge.from : edge.to;
-      side = upward == steep ? 0 : -1;
-      if (steep) return;
-      top = exchanged(top);
-      bottom = exchanged(bottom);
-    }
-  };
-
-  /// The first pixel of a rectangle.
-  [[nodiscard]] static InkPlace place_of(const Rect& r, const DepthBuffer& depth) {
-    return {static_cast<std::uint32_t>(r.top) << 16 | static_cast<std::uint32_t>(r.left),
-            depth.row(r.top) + r.left};
-  }
-
-  ARCSPAN_OUTLINE void ink_side(const Direction& direction, const RasterPosition& top,
-                                const RasterPosition& bottom, std::int32_t side) {
-    const Rect& rect = direction.rect;
-    InkWalk walk(top, bottom, {rect.top, rect.bottom}, direction.exchanged, side, width_);
-    const auto columns = static_cast<std::uint32_t>(rect.right - rect.left);
-    const std::int32_t sign = 2 * side + 1;
-    const InkStep step = direction.column.times(sign);
-    for (; !walk.done(); walk.next()) {
+    RasterPosition top = edge.from;
+    RasterPosition bottom = edge.to;
+    const OutlineWay& way = rect_.way_along(top, bottom);
+    if (is_outside(way, top, bottom)) return;
+    InkWalk walk(top, bottom, {way.rows.first, way.rows.end}, way.exchanged, way.side, width_);
+    if (walk.done()) return;
+    const auto columns = static_cast<std::uint32_t>(way.columns.end - way.columns.first);
+    const OutlineStep outward = way.outward;
+    const std::int32_t sign = 2 * way.side + 1;
+    OutlinePixel row = way.first;
+    row += way.rows.step.times(walk.row() - way.rows.first);
+    for (; !walk.done(); walk.next(), row += way.rows.step) {
       std::int32_t reach = walk.reach() + kHalfShare;
       if (reach < 2 * kHalfShare) continue;
-      auto column = static_cast<std::uint32_t>(walk.column() + side - rect.left);
+      auto column = static_cast<std::uint32_t>(walk.column() + way.side - way.columns.first);
       const std::uint16_t z = walk.depth();
-      InkPlace at = direction.at(static_cast<std::int32_t>(column), walk.row() - rect.top);
+      OutlinePixel at = row;
+      at += way.columns.step.times(walk.column() - way.columns.first - 1);
       do {
         if (column < columns && pixels_.is_free(at, z)) pixels_.put(at, share_of(reach));
         column += static_cast<std::uint32_t>(sign);
-        at += step;
+        at += outward;
         reach -= 65536;
       } while (reach >= 2 * kHalfShare);
     }
   }
+  /// Inks both sides of an edge, half a pixel of each.
+  void ink_crease(const OutlineEdge& edge) {
+    RasterPosition top = edge.from;
+    RasterPosition bottom = edge.to;
+    const OutlineWay& way = rect_.way_along(top, bottom);
+    if (!is_outside(way, top, bottom)) ink_middle(way, top, bottom);
+  }
 
+ private:
   /// The share in 32nds of a pixel that ink covers as far as `reach` and half a share less, with 16 fraction
   /// bits.
   [[nodiscard]] ARCSPAN_INLINE static std::uint32_t share_of(std::int32_t reach) {
@@ -134,16 +81,17 @@ class OutlineInker {
   }
 
   /// The pixels on both sides, if one is free, by their nearness to the edge.
-  ARCSPAN_OUTLINE void ink_middle(const Direction& direction, const RasterPosition& top,
+  ARCSPAN_OUTLINE void ink_middle(const OutlineWay& way, const RasterPosition& top,
                                   const RasterPosition& bottom) {
-    const Rect& rect = direction.rect;
-    InkWalk walk(top, bottom, {rect.top, rect.bottom}, direction.exchanged, 0, 0);
+    InkWalk walk(top, bottom, {way.rows.first, way.rows.end}, way.exchanged, 0, 0);
     for (; !walk.done(); walk.next()) {
-      const std::int32_t column = walk.column() - rect.left;
-      if (column <= 0 || column >= rect.right - rect.left) continue;
-      const InkPlace right = direction.at(column, walk.row() - rect.top);
-      InkPlace left = right;
-      left += direction.column.times(-1);
+      const std::int32_t column = walk.column() - way.columns.first;
+      if (column <= 0 || column >= way.columns.end - way.columns.first) continue;
+      OutlinePixel right = way.first;
+      right += way.rows.step.times(walk.row() - way.rows.first);
+      right += way.columns.step.times(column - 1 - way.side);
+      OutlinePixel left = right;
+      left += way.columns.step.times(-1);
       const std::uint16_t z = walk.depth();
       if (!pixels_.is_free(left, z) && !pixels_.is_free(right, z)) continue;
       const std::uint32_t share = (walk.fraction() + 1024) >> 11;
@@ -153,21 +101,19 @@ class OutlineInker {
   }
 
   /// True if the edge is certainly so far left or right of the rectangle that no ink reaches it.
-  [[nodiscard]] static bool is_outside(const Rect& rect, const OutlineEdge& edge, bool by_columns) {
+  [[nodiscard]] static bool is_outside(const OutlineWay& way, const RasterPosition& a,
+                                       const RasterPosition& b) {
     constexpr std::int32_t kReach = 2 * OutlineInk::kWidest;  // more than sqrt(2) kWidest + 1
-    const std::int32_t left = (rect.left - kReach) * 16;
-    const std::int32_t right = (rect.right + kReach) * 16;
-    const std::int32_t a = by_columns ? edge.from.y : edge.from.x;
-    const std::int32_t b = by_columns ? edge.to.y : edge.to.x;
-    return (a < left && b < left) || (a > right && b > right);
+    const std::int32_t left = (way.columns.first - kReach) * 16;
+    const std::int32_t right = (way.columns.end + kReach) * 16;
+    return (a.x < left && b.x < left) || (a.x > right && b.x > right);
   }
 
   static constexpr std::int32_t kHalfShare = 1024;  ///< of a pixel, which has 16 fraction bits
 
   Pixels& pixels_;
   const std::int32_t width_;
-  const Direction by_rows_;
-  const Direction by_columns_;
+  const OutlineRect rect_;
 };
 
 /// True if the next edge of a list is the same crease, seen from its other side.

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <arcspan/draw/scissor.hpp>
-#include <arcspan/outline/exchange.hpp>
 #include <arcspan/outline/gap_list.hpp>
 #include <arcspan/outline/gap_marks.hpp>
 #include <arcspan/outline/gap_walk.hpp>
 #include <arcspan/outline/outline_gap.hpp>
 #include <arcspan/outline/outline_list.hpp>
+#include <arcspan/outline/outline_way.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/status.hpp>
@@ -20,110 +20,61 @@ namespace arcspan {
 
 namespace detail {
 
-/// Finds the gaps of outlines in a rectangle of the picture, which is not empty. Steep edges are walked by
-/// rows, flat ones by columns. Both are the same if x and y are exchanged: what is said of rows and columns
-/// here is true of columns and rows then. `Gaps` is a GapList or GapMarks.
+/// Finds the gaps of outlines in a rectangle of the picture, which is not empty. `Gaps` is a GapList or
+/// GapMarks.
 template <class Gaps>
 class OutlineSmoother {
  public:
   OutlineSmoother(const Scissor& scissor, const DepthBuffer& depth, Gaps& gaps)
-      : gaps_(gaps),
-        depths_(depth.row(scissor.rect().top)),
-        rect_(scissor.rect()),
-        rows_(subpixels(rect_.top - scissor.origin().y, rect_.bottom - scissor.origin().y)),
-        columns_(subpixels(rect_.left - scissor.origin().x, rect_.right - scissor.origin().x)),
-        by_rows_{relative_to(scissor.origin(), rect_), depth.stride(), 1, scissor.origin(), false},
-        by_columns_{exchanged(by_rows_.rect), 1, depth.stride(), exchanged(scissor.origin()), true} {}
+      : gaps_(gaps), rect_(scissor, depth) {}
 
-  void smooth(const OutlineEdge& edge) {
-    if (is_outside(rows_, edge.from.y, edge.to.y) || is_outside(columns_, edge.from.x, edge.to.x)) return;
-    const std::int32_t dx = edge.to.x - edge.from.x;
-    const std::int32_t dy = edge.to.y - edge.from.y;
-    if (magnitude_of(dy) >= magnitude_of(dx)) {
-      // The surface lies right of an edge that leads down.
-      if (dy > 0) walk(by_rows_, edge.from, edge.to, GapPlace::kRight);
-      if (dy < 0) walk(by_rows_, edge.to, edge.from, GapPlace::kLeft);
-    } else if (dx > 0) {
-      walk(by_columns_, exchanged(edge.from), exchanged(edge.to), GapPlace::kAbove);
-    } else {
-      walk(by_columns_, exchanged(edge.to), exchanged(edge.from), GapPlace::kBelow);
+  ARCSPAN_INLINE void smooth(const OutlineEdge& edge) {
+    if (is_outside(rect_.rows(), edge.from.y, edge.to.y) ||
+        is_outside(rect_.columns(), edge.from.x, edge.to.x))
+      return;
+    RasterPosition top = edge.from;
+    RasterPosition bottom = edge.to;
+    const OutlineWay& way = rect_.way_along(top, bottom);
+    GapWalk walk(top, bottom, {way.rows.first, way.rows.end}, way.columns.first + 1, way.exchanged);
+    if (walk.done()) return;
+    way_ = &way;
+    slope_ = walk.slope();
+    const OutlineStep step = way.columns.step;
+    const auto gaps = static_cast<std::uint32_t>(way.columns.end - way.columns.first - 1);
+    OutlinePixel row = way.first;
+    row += way.rows.step.times(walk.skipped());
+    for (; !walk.done(); walk.next(), row += way.rows.step) {
+      const auto column = static_cast<std::uint32_t>(walk.column());
+      if (column >= gaps) continue;
+      std::uint16_t* const at = row.depth + static_cast<std::int32_t>(column) * step.depths;
+      if (gaps_.is_hidden(*at, walk.depth())) continue;
+      put(at, row.column_row + column * step.column_row, walk.offset(), walk.depth());
     }
   }
 
  private:
-  /// How edges are walked.
-  struct Direction {
-    Rect rect;                ///< relative to the origin
-    std::int32_t row_stride;  ///< of depths
-    std::int32_t column_stride;
-    RasterOrigin origin;
-    bool exchanged;
-  };
-
-  /// The values that are the same for all gaps of an edge.
-  struct Edge {
-    const Direction& direction;
-    GapPlace place;
-    std::int32_t side;    ///< from a column to that of the pixel outside: -1 or 0
-    std::int32_t inward;  ///< from the depth outside to that of the surface
-    GapSlope slope;
-  };
-
-  ARCSPAN_OUTLINE void walk(const Direction& direction, const RasterPosition& top,
-                            const RasterPosition& bottom, GapPlace place) {
-    GapWalk walk(top, bottom, {direction.rect.top, direction.rect.bottom}, direction.exchanged);
-    if (walk.done()) return;
-    // The pixel outside is on the left if the surface is on the right, or below.
-    const std::int32_t side = place == GapPlace::kRight || place == GapPlace::kBelow ? -1 : 0;
-    const std::int32_t stride = direction.column_stride;
-    const Edge edge{direction, place, side, side == 0 ? -stride : stride, walk.slope()};
-    const std::int32_t leftmost = direction.rect.left + 1;
-    const auto width = static_cast<std::uint32_t>(direction.rect.right - leftmost);
-    const std::int32_t row_stride = direction.row_stride;
-    std::uint16_t* row =
-        depths_ + (walk.row() + direction.origin.y - (direction.exchanged ? 0 : rect_.top)) * row_stride +
-        (leftmost + side + direction.origin.x - (direction.exchanged ? rect_.top : 0)) * stride;
-    for (; !walk.done(); walk.next(), row += row_stride) {
-      const auto column = static_cast<std::uint32_t>(walk.column() - leftmost);
-      if (column >= width) continue;
-      std::uint16_t* const at = row + static_cast<std::int32_t>(column) * stride;
-      if (gaps_.is_hidden(*at, walk.depth())) continue;
-      put(edge, walk.column(), walk.row(), walk.offset(), walk.depth(), at);
-    }
+  /// Puts the gap of the pixel outside of the edge, whose depth is at `at`, unless that is nearer than `z`.
+  /// `offset` is that of the walk.
+  ARCSPAN_OUTLINE void put(std::uint16_t* at, std::uint32_t pixel, std::int32_t offset, std::uint16_t z) {
+    const auto outer = gaps_.outer_of(*at, pixel);
+    if (is_nearer(outer.depth, z)) return;
+    const OutlineWay& way = *way_;
+    const auto side = static_cast<std::uint32_t>(way.side);
+    const std::uint32_t right = static_cast<std::uint32_t>(offset + 32768 + 1024) >> 11;
+    const std::uint32_t outward = (right ^ side) + (side & 33);  // 32 - right if outside is left
+    gaps_.put(pixel, {way.place, outward, slope_.corner(offset)}, outer, at, at - way.outward.depths);
   }
 
-  /// Puts the gap left of a column. `at` is the depth of the pixel outside.
-  ARCSPAN_OUTLINE void put(const Edge& edge, std::int32_t column, std::int32_t row, std::int32_t offset,
-                           std::uint16_t z, std::uint16_t* at) {
-    const Direction& direction = edge.direction;
-    column += edge.side + direction.origin.x;
-    row += direction.origin.y;
-    const std::int32_t rounded = (offset + 1024) >> 11;
-    const std::int32_t outward = (rounded ^ edge.side) - edge.side;
-    gaps_.put(direction.exchanged ? row : column, direction.exchanged ? column : row,
-              {edge.place, outward, edge.slope.corner(offset)}, z, at, at + edge.inward);
-  }
-
-  /// Coordinates of vertices.
-  struct Range {
-    std::int32_t least;
-    std::int32_t most;
-  };
-  [[nodiscard]] static constexpr Range subpixels(std::int32_t first, std::int32_t end) {
-    return {first * 16, end * 16};
-  }
-  /// True if the edge certainly has no gaps in the range.
-  [[nodiscard]] ARCSPAN_INLINE static bool is_outside(const Range& range, std::int32_t a, std::int32_t b) {
-    return (a < range.least && b < range.least) || (a > range.most && b > range.most);
+  /// True if an edge whose ends have these coordinates certainly has no gaps in the columns or rows.
+  [[nodiscard]] ARCSPAN_INLINE static bool is_outside(const OutlineAxis& axis, std::int32_t a,
+                                                      std::int32_t b) {
+    return (a < 16 * axis.first && b < 16 * axis.first) || (a > 16 * axis.end && b > 16 * axis.end);
   }
 
   Gaps& gaps_;
-  std::uint16_t* const depths_;  ///< column 0 of the first row of the rectangle
-  const Rect rect_;
-  const Range rows_;
-  const Range columns_;
-  const Direction by_rows_;
-  const Direction by_columns_;
+  const OutlineRect rect_;
+  const OutlineWay* way_ = nullptr;  ///< of the edge that is walked
+  GapSlope slope_{};
 };
 
 template <class Gaps>

@@ -33,43 +33,49 @@ class GapList {
 
   /// True if a pixel with this depth, which is no gap's, is nearer than `z`.
   [[nodiscard]] ARCSPAN_INLINE bool is_hidden(std::uint16_t depth, std::uint16_t z) const {
-    return depth >= count_ && is_nearer(depth, z);
+    return is_nearer(depth, z) && depth >= count_;
+  }
+  /// A pixel outside of an outline: its depth, and the number of its latest gap or kNone.
+  struct Outer {
+    std::uint16_t depth;
+    std::uint16_t number;
+  };
+  /// That of `pixel` (OutlinePixel::column_row), in whose depth `stored` is.
+  [[nodiscard]] ARCSPAN_INLINE Outer outer_of(std::uint16_t stored, std::uint32_t pixel) const {
+    if (stored >= count_ || !is_gap_of(stored, pixel)) [[likely]]
+      return {stored, kNone};
+    return {gaps_[stored].held.list.depth, stored};
   }
 
-  /// Puts the outline of pixel (x, y), which is outside, with depth `z`, unless the pixel is nearer. `at` is
-  /// the pixel's depth in the buffer, `inner` that of the pixel on the other side of the outline. Of several
-  /// outlines in one gap the outermost counts; of two surfaces that meet in it the first.
-  ARCSPAN_INLINE void put(std::int32_t x, std::int32_t y, GapOutline outline, std::uint16_t z,
-                          std::uint16_t* at, const std::uint16_t* inner) {
-    std::uint32_t number = *at;
-    std::uint32_t depth = number;
-    if (number >= count_ || !is_gap_of(number, x, y)) [[likely]] {
-      number = kNone;
-    } else {
-      depth = gaps_[number].held.list.depth;
-    }
-    if (is_nearer(static_cast<std::uint16_t>(depth), z)) return;
-    if (number != kNone && moved_outward(number, outline.word())) return;
-    if (*inner < count_ && has_opposite(*inner, x, y, outline.place)) return;
+  /// Puts the outline of `pixel`, which is `outer`. `at` is its depth in the buffer, `inner` that of the
+  /// pixel on the other side of the outline. Of several outlines in one gap the outermost counts; of two
+  /// surfaces that meet in it the first.
+  ARCSPAN_INLINE void put(std::uint32_t pixel, const GapOutline& outline, Outer outer, std::uint16_t* at,
+                          const std::uint16_t* inner) {
+    if (outer.number != kNone && moved_outward(outer.number, outline.word())) return;
+    if (*inner < count_ && has_opposite(*inner, pixel, outline.place)) return;
     if (count_ == most_) [[unlikely]] {
       apply();
       was_full_ = true;
-      number = kNone;
+      outer.number = kNone;
     }
     Gap& gap = gaps_[count_];
-    gap.x = static_cast<std::int16_t>(x);
-    gap.y = static_cast<std::int16_t>(y);
-    gap.held =
-        Held(typename Gap::InList{static_cast<std::uint16_t>(depth), static_cast<std::uint16_t>(number)});
+    gap.x = static_cast<std::int16_t>(pixel);
+    gap.y = static_cast<std::int16_t>(pixel >> 16);
+    gap.held = Held(typename Gap::InList{outer.depth, outer.number});
     gap.outline = outline.word();
     *at = static_cast<std::uint16_t>(count_++);
   }
 
   /// Restores the depths, blends the pixels of all gaps, and empties the list.
   ARCSPAN_OUTLINE void apply() {
-    for (std::uint32_t i = 0; i < count_; ++i) restore(gaps_[i]);
+    const std::span<Gap> gaps(gaps_, count_);
+    for (Gap& gap : gaps) restore(gap);
     Status status = status_;
-    for (std::uint32_t i = 0; i < count_ && ok(status); ++i) status = blend(gaps_[i]);
+    for (const Gap& gap : gaps) {
+      if (!ok(status)) break;
+      status = blender_.blend(gap.x, gap.y, GapOutline::of(gap.outline), gap.held.colours);
+    }
     status_ = status;
     count_ = 0;
   }
@@ -78,12 +84,13 @@ class GapList {
   [[nodiscard]] Status status() const { return ok(status_) && was_full_ ? Status::kBufferTooSmall : status_; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xFFFF;
+  static constexpr std::uint16_t kNone = 0xFFFF;
   static constexpr std::uint32_t kMost = kNone;  ///< no cleared depth is a number
 
   /// `number` is below count_.
-  [[nodiscard]] ARCSPAN_INLINE bool is_gap_of(std::uint32_t number, std::int32_t x, std::int32_t y) const {
-    return gaps_[number].x == x && gaps_[number].y == y;
+  [[nodiscard]] ARCSPAN_INLINE bool is_gap_of(std::uint32_t number, std::uint32_t pixel) const {
+    return gaps_[number].x == static_cast<std::int16_t>(pixel) &&
+           gaps_[number].y == static_cast<std::int16_t>(pixel >> 16);
   }
 
   /// Looks for the gap in the same place among those of a pixel. If there is one, moves its outline outward
@@ -100,23 +107,20 @@ class GapList {
 
   /// True if the pixel on the other side of the outline has a gap for the same place. `number`, below count_,
   /// is what its depth holds.
-  ARCSPAN_OUTLINE bool has_opposite(std::uint32_t number, std::int32_t x, std::int32_t y,
-                                    GapPlace place) const {
-    if (!is_gap_of(number, x + column_step(place), y + row_step(place))) return false;
+  ARCSPAN_OUTLINE bool has_opposite(std::uint32_t number, std::uint32_t pixel, GapPlace place) const {
+    if (!is_gap_of(number, pixel + inward_step(place))) return false;
     for (; number != kNone; number = gaps_[number].held.list.next)
       if (GapOutline::place_of(gaps_[number].outline) == opposite(place)) return true;
     return false;
   }
 
-  void restore(Gap& gap) {
-    depth_.row(gap.y)[gap.x] = gap.held.list.depth;
-    const auto pixels = blender_.pixels_of(gap.x, gap.y, GapOutline::place_of(gap.outline));
-    gap.held = Held(pixels.colours());
-  }
-  [[nodiscard]] ARCSPAN_INLINE Status blend(const Gap& gap) const {
-    const GapOutline outline = GapOutline::of(gap.outline);
-    const auto pixels = blender_.pixels_of(gap.x, gap.y, outline.place);
-    return blender_.blend(gap.x, gap.y, outline, pixels, gap.held.colours);
+  ARCSPAN_INLINE void restore(Gap& gap) const {
+    const std::int32_t x = gap.x;
+    const std::int32_t y = gap.y;
+    const GapPlace place = GapOutline::place_of(gap.outline);
+    depth_.row(y)[x] = gap.held.list.depth;
+    const auto outer = blender_.outer(x, y);
+    gap.held = Held(GapColours<Format>{outer.read(), blender_.inner(outer, x, y, place).read()});
   }
 
   const GapBlender<Sink> blender_;

@@ -24,18 +24,30 @@ class GapMarks {
   [[nodiscard]] ARCSPAN_INLINE static bool is_hidden(std::uint16_t depth, std::uint16_t z) {
     return is_nearer(depth, z) && !is_mark(depth);
   }
+  /// A pixel outside of an outline: its depth, the farthest if it is lost, and its marks.
+  struct Outer {
+    std::uint16_t depth;
+    std::uint16_t marks;
+  };
+  [[nodiscard]] ARCSPAN_INLINE static Outer outer_of(std::uint16_t stored, std::uint32_t) {
+    return is_mark(stored) ? Outer{DepthBuffer::kFarthest, stored} : Outer{stored, 0};
+  }
 
-  /// Blends the outline of pixel (x, y), which is outside. `at` is the pixel's depth in the buffer, `inner`
-  /// that of the pixel on the other side of the outline. Of several outlines in one gap the first counts.
-  ARCSPAN_INLINE void put(std::int32_t x, std::int32_t y, GapOutline outline, std::uint16_t,
-                          std::uint16_t* at, const std::uint16_t* inner) {
+  /// Blends the outline of `pixel` (OutlinePixel::column_row), which is `outer`. `at` is its depth in the
+  /// buffer, `inner` that of the pixel on the other side of the outline. Of several outlines in one gap the
+  /// first counts.
+  ARCSPAN_INLINE void put(std::uint32_t pixel, const GapOutline& outline, Outer outer, std::uint16_t* at,
+                          const std::uint16_t* inner) {
     const GapPlace place = outline.place;
-    const unsigned marks = is_mark(*at) ? *at : 0u;
+    const unsigned marks = outer.marks;
     if ((marks & bit_of(place)) != 0 || (is_mark(*inner) && (*inner & bit_of(opposite(place))) != 0)) return;
     *at = static_cast<std::uint16_t>(marks | bit_of(place));
     if (!ok(status_)) return;
-    const auto pixels = blender_.pixels_of(x, y, place);
-    const Status status = blender_.blend(x, y, outline, pixels, pixels.colours());
+    const auto x = static_cast<std::int32_t>(pixel & 0xFFFFu);
+    const auto y = static_cast<std::int32_t>(pixel >> 16);
+    const auto outside = blender_.outer(x, y);
+    const Status status =
+        blender_.blend(x, y, outline, {outside.read(), blender_.inner(outside, x, y, place).read()});
     if (!ok(status)) status_ = status;
   }
 

@@ -27,7 +27,7 @@ class GapSlope {
   /// The area in 32nds of the corner that an edge at this GapWalk::offset() cuts off the farther pixel. The
   /// edge leaves the nearer one at u = slope / 2 - |offset| before the row's end; the corner is
   /// u^2 / (2 slope).
-  [[nodiscard]] std::uint32_t corner(std::int32_t offset) const {
+  [[nodiscard]] ARCSPAN_INLINE std::uint32_t corner(std::int32_t offset) const {
     const std::int32_t beyond = static_cast<std::int32_t>(slope_ >> 1) - (offset < 0 ? -offset : offset);
     if (beyond <= 0) return 0;
     const auto u = static_cast<std::uint32_t>(beyond) >> 6;      // at most 2^9
@@ -47,45 +47,50 @@ class GapSlope {
 /// the first pixel whose centre belongs to the right side of the edge.
 class GapWalk {
  public:
-  /// The edge from `top` down to `bottom`, in the rows first ... end - 1 of `rows`, which may be none. `steps
-  /// columns` says that x and y are exchanged.
-  GapWalk(const RasterPosition& top, const RasterPosition& bottom, const RowRange& rows, bool exchanged) {
+  /// The edge from `top` down to `bottom`, in the rows first ... end - 1 of `rows`, which may be none.
+  /// Columns are counted from `left`. `exchanged` says that x and y are.
+  ARCSPAN_INLINE GapWalk(const RasterPosition& top, const RasterPosition& bottom, const RowRange& rows,
+                         std::int32_t left, bool exchanged) {
     const std::int32_t first = first_row_at(top.y);
     const std::int32_t end = first_row_at(bottom.y);
-    row_ = first < rows.first ? rows.first : first;
-    end_ = end > rows.end ? rows.end : end;
-    if (row_ >= end_) return;
+    const std::int32_t begin = first < rows.first ? rows.first : first;
+    rows_ = (end > rows.end ? rows.end : end) - begin;
+    skipped_ = begin - rows.first;
+    if (done()) return;
     set_up_outline(top, bottom, first, exchanged, walk_, z_);
-    if (row_ != first) {
-      walk_.advance(row_ - first);
-      z_.at += Linear::from_raw(wrap_mul(z_.step.raw(), row_ - first));
+    if (begin != first) {
+      walk_.advance(begin - first);
+      z_.at += Linear::from_raw(wrap_mul(z_.step.raw(), begin - first));
     }
+    walk_.x -= std::int64_t{left} << 32;
   }
 
-  [[nodiscard]] bool done() const { return row_ >= end_; }
-  [[nodiscard]] std::int32_t row() const { return row_; }
-  [[nodiscard]] std::int32_t column() const { return walk_.column(); }
-  [[nodiscard]] std::uint16_t depth() const { return depth_of(z_.at); }
-  [[nodiscard]] GapSlope slope() const {
-    const std::int64_t slope = (walk_.step < 0 ? -walk_.step : walk_.step) >> 16;
-    return GapSlope(slope > 65536 ? 65536u : static_cast<std::uint32_t>(slope));
+  [[nodiscard]] ARCSPAN_INLINE bool done() const { return rows_ <= 0; }
+  /// The rows above the first one.
+  [[nodiscard]] ARCSPAN_INLINE std::int32_t skipped() const { return skipped_; }
+  [[nodiscard]] ARCSPAN_INLINE std::int32_t column() const { return walk_.column(); }
+  [[nodiscard]] ARCSPAN_INLINE std::uint16_t depth() const { return depth_of(z_.at); }
+  [[nodiscard]] ARCSPAN_INLINE GapSlope slope() const {
+    return GapSlope(static_cast<std::uint32_t>((walk_.step < 0 ? -walk_.step : walk_.step) >> 16));
   }
 
   /// The distance of the edge from the middle between the centres of column() - 1 and column(), to the right,
   /// in 2^-16 pixels: -2^15 + 1 ... 2^15.
-  [[nodiscard]] std::int32_t offset() const { return 32768 - static_cast<std::int32_t>(walk_.fraction()); }
+  [[nodiscard]] ARCSPAN_INLINE std::int32_t offset() const {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(walk_.x) >> 16) - 32767;
+  }
 
-  void next() {
-    ++row_;
+  ARCSPAN_INLINE void next() {
+    --rows_;
     walk_.advance();
     z_.at += z_.step;
   }
 
  private:
-  EdgeWalk walk_{};
-  BasicLinearEdge<Linear> z_{};
-  std::int32_t row_ = 0;
-  std::int32_t end_ = 0;
+  EdgeWalk walk_;
+  BasicLinearEdge<Linear> z_;
+  std::int32_t rows_ = 0;  ///< from the present one on
+  std::int32_t skipped_ = 0;
 };
 
 }  // namespace arcspan::detail

@@ -3,6 +3,7 @@
 
 #include <arcspan/outline/blend.hpp>
 #include <arcspan/outline/outline_gap.hpp>
+#include <arcspan/outline/outline_way.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/status.hpp>
@@ -13,30 +14,6 @@
 #include <span>
 
 namespace arcspan::detail {
-
-/// The way from a pixel to a neighbour.
-struct InkStep {
-  std::int32_t depths;
-  std::uint32_t column_row;
-
-  [[nodiscard]] ARCSPAN_INLINE constexpr InkStep times(std::int32_t n) const {
-    return {depths * n, column_row * static_cast<std::uint32_t>(n)};
-  }
-};
-
-/// A pixel of the picture: column and row in one word, and where its depth is.
-struct InkPlace {
-  std::uint32_t column_row;  ///< x in the lower half, y in the upper
-  std::uint16_t* depth;
-
-  [[nodiscard]] constexpr std::int32_t x() const { return static_cast<std::int32_t>(column_row & 0xFFFFu); }
-  [[nodiscard]] constexpr std::int32_t y() const { return static_cast<std::int32_t>(column_row >> 16); }
-
-  ARCSPAN_INLINE constexpr void operator+=(const InkStep& step) {
-    column_row += step.column_row;
-    depth += step.depths;
-  }
-};
 
 /// Draws pixels in the colour of ink. Those that ink covers in part are listed, so that each is blended once,
 /// by its largest share, however many edges reach it. While a pixel is in the list, its depth holds its
@@ -57,7 +34,7 @@ class InkPixels {
         most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
 
   /// True if nothing nearer than `z` is drawn at a pixel.
-  [[nodiscard]] ARCSPAN_INLINE bool is_free(const InkPlace& at, std::uint16_t z) const {
+  [[nodiscard]] ARCSPAN_INLINE bool is_free(const OutlinePixel& at, std::uint16_t z) const {
     const std::uint32_t number = *at.depth;
     if (number >= count_ || !is_entry_of(number, at)) [[likely]]
       return number >= z;
@@ -65,7 +42,7 @@ class InkPixels {
   }
 
   /// Covers `share` / 32 of a pixel, 1...32.
-  ARCSPAN_INLINE void put(const InkPlace& at, std::uint32_t share) {
+  ARCSPAN_INLINE void put(const OutlinePixel& at, std::uint32_t share) {
     if (share == kWhole || (!kCanBlend<Format> && share >= kWhole / 2)) {
       write(at.x(), at.y(), colour_);
     } else if constexpr (kCanBlend<Format>) {
@@ -91,13 +68,13 @@ class InkPixels {
   static constexpr std::uint32_t kMost = 0xFFFF;  ///< no cleared depth is a number
 
   /// `number` is below count_.
-  [[nodiscard]] ARCSPAN_INLINE bool is_entry_of(std::uint32_t number, const InkPlace& at) const {
+  [[nodiscard]] ARCSPAN_INLINE bool is_entry_of(std::uint32_t number, const OutlinePixel& at) const {
     const Entry& entry = entries_[number];
     return (static_cast<std::uint16_t>(entry.x) | std::uint32_t{static_cast<std::uint16_t>(entry.y)} << 16) ==
            at.column_row;
   }
 
-  ARCSPAN_INLINE void list(const InkPlace& at, std::uint32_t share) {
+  ARCSPAN_INLINE void list(const OutlinePixel& at, std::uint32_t share) {
     const std::uint32_t number = *at.depth;
     if (number < count_ && is_entry_of(number, at)) {
       if (share > entries_[number].outline) entries_[number].outline = static_cast<std::uint16_t>(share);

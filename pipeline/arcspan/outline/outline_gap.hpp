@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/pixel_format.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,11 @@ enum class GapPlace : std::uint8_t { kRight, kLeft, kBelow, kAbove };
 }
 [[nodiscard]] constexpr std::int32_t row_step(GapPlace place) {
   return place == GapPlace::kBelow ? 1 : place == GapPlace::kAbove ? -1 : 0;
+}
+
+/// From the pixel outside to that of the surface, as OutlinePixel::column_row has them.
+[[nodiscard]] constexpr std::uint32_t inward_step(GapPlace place) {
+  return static_cast<std::uint32_t>(column_step(place) + row_step(place) * 65536);
 }
 
 /// The pixels of a gap as they were before blending.
@@ -64,20 +70,30 @@ namespace detail {
 /// Where the outline runs in a gap.
 struct GapOutline {
   GapPlace place;
-  std::int32_t outward;  ///< from the middle of both centres to the outer one, -16...16 in 32nds of a pixel
-  std::uint32_t corner;  ///< the share of the farther pixel that it cuts off, 0...4 in 32nds
+  std::uint32_t outward;  ///< from the centre of the inner pixel to that of the outer one, 0...32
+  std::uint32_t corner;   ///< the share of the farther pixel that it cuts off, 0...4 in 32nds
+
+  /// The share in 32nds of the outer pixel that is inside.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t of_outer() const {
+    return outward > kMiddle ? outward - kMiddle + corner : corner;
+  }
+  /// The share in 32nds of the inner pixel that is outside.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t of_inner() const {
+    return outward < kMiddle ? kMiddle - outward + corner : corner;
+  }
 
   /// All in one word; greater ones are farther outward.
   [[nodiscard]] constexpr std::uint16_t word() const {
-    return static_cast<std::uint16_t>((static_cast<std::uint32_t>(outward + 16) << 5) | (corner << 2) |
-                                      static_cast<std::uint32_t>(place));
+    return static_cast<std::uint16_t>(outward << 5 | corner << 2 | static_cast<std::uint32_t>(place));
   }
   [[nodiscard]] static constexpr GapPlace place_of(std::uint16_t word) {
     return static_cast<GapPlace>(word & 3u);
   }
   [[nodiscard]] static constexpr GapOutline of(std::uint16_t word) {
-    return {place_of(word), static_cast<std::int32_t>(word >> 5) - 16, (std::uint32_t{word} >> 2) & 7u};
+    return {place_of(word), std::uint32_t{word} >> 5, (std::uint32_t{word} >> 2) & 7u};
   }
+
+  static constexpr std::uint32_t kMiddle = 16;
 };
 
 }  // namespace detail

@@ -23,10 +23,10 @@ using Gap = OutlineGap<Rgb565>;
 struct CountedGaps : arcspan::detail::GapList<Sink> {
   using GapList::GapList;
 
-  void put(std::int32_t x, std::int32_t y, arcspan::detail::GapOutline outline, std::uint16_t z,
-           std::uint16_t* at, const std::uint16_t* inner) {
+  void put(std::uint32_t pixel, const arcspan::detail::GapOutline& outline, Outer outer, std::uint16_t* at,
+           const std::uint16_t* inner) {
     ++puts;
-    GapList::put(x, y, outline, z, at, inner);
+    GapList::put(pixel, outline, outer, at, inner);
   }
 
   double puts = 0;
@@ -36,11 +36,11 @@ struct CountedGaps : arcspan::detail::GapList<Sink> {
 struct CountedInk : arcspan::detail::InkPixels<Sink> {
   using InkPixels::InkPixels;
 
-  bool is_free(const arcspan::detail::InkPlace& at, std::uint16_t z) {
+  bool is_free(const arcspan::detail::OutlinePixel& at, std::uint16_t z) {
     ++tests;
     return InkPixels::is_free(at, z);
   }
-  void put(const arcspan::detail::InkPlace& at, std::uint32_t share) {
+  void put(const arcspan::detail::OutlinePixel& at, std::uint32_t share) {
     ++(share == kWhole ? whole : parts);
     InkPixels::put(at, share);
   }
@@ -122,9 +122,8 @@ class BandCounter {
       if (gap.x == kUntouched) break;
       ++events_.entries;
       const auto outline = arcspan::detail::GapOutline::of(gap.outline);
-      const bool corner = outline.corner != 0;
       events_.blended +=
-          static_cast<int>(corner || outline.outward > 0) + static_cast<int>(corner || outline.outward < 0);
+          static_cast<int>(outline.of_outer() != 0) + static_cast<int>(outline.of_inner() != 0);
     }
   }
 

@@ -113,8 +113,9 @@ class TriangleDrawer {
       auto&& b = vertex<Filter>(source, t.b);
       auto&& c = vertex<Filter>(source, t.c);
       if (is_culled<Filter::kAllInside>(a, b, c)) continue;
-      if constexpr (NotesSides<Source>)
+      if constexpr (NotesSides<Source>) {
         source.note_side(i, Filter::kAllInside ? TriangleSide::kFront : side_of<Method>(a, b, c, two_sided_));
+      }
       if (!Filter::kAllInside && !DrawsEdges<Method> && !are_inside(a, b, c)) {
         draw_clipped(t);
       } else if constexpr (Filter::kAllInside && !kOptimisedForSize) {

@@ -144,6 +144,18 @@ template <class T>
   return value;
 }
 
+/// Returns sum + a * b modulo 2^32. On Armv7-M, where that is one instruction, gcc would add up products
+/// first and the sum last.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t plus_product(std::int32_t sum, std::int32_t a,
+                                                                 std::int32_t b) {
+  auto result = static_cast<std::int32_t>(static_cast<std::uint32_t>(sum) +
+                                          static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b));
+#if defined(__thumb2__)
+  hide_value(result);
+#endif
+  return result;
+}
+
 /// Returns v >> Shift clamped to the range of unsigned integers of `Bits` bits; only if kHasSaturate. Up to 8
 /// bits, whose limit fits an instruction, gcc finds the instruction itself, even in a loop.
 template <int Bits, int Shift>
@@ -162,6 +174,21 @@ template <int Bits, int Shift>
 #endif
   const std::int32_t shifted = v >> Shift;
   return static_cast<std::uint32_t>(shifted < 0 ? 0 : shifted > kMost ? kMost : shifted);
+}
+
+/// Returns v >> Shift clamped to the range of signed integers of `Bits` bits; only if kHasSaturate.
+template <int Bits, int Shift>
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t saturated_signed(std::int32_t v) {
+  constexpr auto kMost = static_cast<std::int32_t>((std::uint32_t{1} << (Bits - 1)) - 1);
+#if defined(__ARM_FEATURE_SAT)
+  if (!std::is_constant_evaluated()) {
+    std::int32_t result;
+    asm("ssat %0, %1, %2, asr %3" : "=r"(result) : "I"(Bits), "r"(v), "I"(Shift));
+    return result;
+  }
+#endif
+  const std::int32_t shifted = v >> Shift;
+  return shifted < -kMost - 1 ? -kMost - 1 : shifted > kMost ? kMost : shifted;
 }
 
 }  // namespace arcspan

@@ -23,7 +23,7 @@ namespace arcspan {
                                 std::span<NodeMatrix> nodes);
 
 /// Sets what the joints of a skin do to vertices, from the matrices of all nodes. `skin` is one of the
-/// animation's. `joints` is the caller's memory, 52 bytes per joint; skin.size() of them are set. Returns:
+/// animation's. `joints` is the caller's memory, 48 bytes per joint; skin.size() of them are set. Returns:
 ///
 ///   kOk
 ///   kBufferTooSmall    `joints` is too short; nothing is changed

@@ -39,8 +39,9 @@ BoundingSphere posed_bound(std::span<const JointBound> bounds, std::span<const J
     const ObjectPosition& p = bound.sphere.middle;
     for (std::size_t i = 0; i < 3; ++i) {
       // Rounded outwards by one unit, which is more than weights and rounding move a vertex.
-      const std::int32_t place = joint.place(i, p.x, p.y, p.z) >> JointMatrix::kPlaceBits;
+      const std::int32_t place = joint.place(i, p.x, p.y, p.z) >> JointMatrix::kBits;
       const std::int32_t reach = joint.reach(i, bound.sphere.radius);
+      if ((place < 0 ? -place : place) + reach >= JointMatrix::kFarthest) return kEverywhere;
       if (place - reach - 1 < low[i]) low[i] = place - reach - 1;
       if (place + reach + 2 > high[i]) high[i] = place + reach + 2;
     }

@@ -15,9 +15,20 @@ namespace arcspan::detail {
   return clamped_to_bits<16>(c);
 }
 
-/// Coordinates saturated to 16 bits, with one test where none is.
+/// Coordinates without their `Down` fraction bits, saturated to 16 bits: by an instruction each, or with one
+/// test where none is.
+template <int Down = 0>
 [[nodiscard]] ARCSPAN_INLINE inline ObjectPosition saturated_position(std::int32_t x, std::int32_t y,
                                                                       std::int32_t z) {
+  if constexpr (kHasSaturate && Down != 0) {
+    const auto saturated = [](std::int32_t c) {
+      return static_cast<std::int16_t>(saturated_signed<16, Down>(c));
+    };
+    return {saturated(x), saturated(y), saturated(z)};
+  }
+  x >>= Down;
+  y >>= Down;
+  z >>= Down;
   const auto above = [](std::int32_t c) { return static_cast<std::uint32_t>(c) + 32768u; };
   if ((above(x) | above(y) | above(z)) >= 65536u) [[unlikely]] {
     x = saturated_coordinate(x);

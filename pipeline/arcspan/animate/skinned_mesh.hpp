@@ -21,10 +21,12 @@ namespace arcspan {
 /// A mesh whose vertices follow the joints of a skin (DrawableMesh). It holds references, and computes a
 /// vertex whenever it is asked for it:
 ///
-///     p = (sum of w_k * ((M_k v) rounded to a quarter of an object unit)) rounded to an object unit
+///     p = sum of w_k * (M_k v)
 ///
-/// with the weights w_k in 1024ths, saturated at 16 bits. The normal is the sum of w_k * (M_k n), scaled to
-/// unit length; a sum of 0 gives +z. Every core computes the same bits.
+/// with the weights w_k in 1024ths: within 1/8 of an object unit, then rounded to a whole one and saturated
+/// at 16 bits. It wraps where a joint alone would take the vertex farther than JointMatrix::kFarthest. The
+/// normal is the sum of w_k * (M_k n), scaled to unit length; a sum of 0 gives +z. It is wrong where joints
+/// scale by 16 or more. Every core computes the same bits.
 ///
 /// Rest is the mesh as it is before the joints move it: a MeshView, or a MorphedMesh.
 template <class Rest>
@@ -63,71 +65,82 @@ using MorphedSkinnedMesh = BasicSkinnedMesh<MorphedMesh>;
 
 namespace detail {
 
-/// A vector along the normal of vertex i, 15 fraction bits, of at most unit length.
+inline constexpr int kNormalDown = 15 - JointMatrix::kBits;
+
+/// A vector along the normal of vertex i, of at most unit length, with JointMatrix::kBits fraction bits: so
+/// many that joints may scale it.
 [[nodiscard]] ARCSPAN_INLINE inline OctahedralPoint long_normal(const MeshView& mesh, std::size_t i) {
-  return octahedral_point(mesh.normal(i));
+  return octahedral_point<kNormalDown>(mesh.normal(i));
 }
 [[nodiscard]] inline OctahedralPoint long_normal(const MorphedMesh& mesh, std::size_t i) {
   const Direction n = mesh.direction(i);
-  return {n.x.raw(), n.y.raw(), n.z.raw()};
+  return {n.x.raw() >> kNormalDown, n.y.raw() >> kNormalDown, n.z.raw() >> kNormalDown};
 }
 
-/// Sums of three coordinates.
+/// Three coordinates.
 struct WeightedSum {
   std::int32_t x = 0;
   std::int32_t y = 0;
   std::int32_t z = 0;
 };
 
-/// The sum over the joints of a record of chunk WGHT: of coordinates(joint, row) times the weight in 1024ths.
-/// It wraps where a position is far out of range.
+/// The sum over the joints of a record of chunk WGHT: of coordinates(joint, row) times the weight in 1024ths,
+/// which add up to 1. It wraps where coordinates do.
 template <class Coordinates>
 [[nodiscard]] ARCSPAN_INLINE inline WeightedSum weighted_sum(const std::uint16_t* words,
                                                              const JointMatrix* joints,
                                                              const Coordinates& coordinates) {
-  WeightedSum sum;
-  const auto add = [&](std::uint32_t word, std::int32_t weight) {
-    const JointMatrix& joint = joints[word & 0xFFu];
-    sum.x = wrap_add(sum.x, wrap_mul(coordinates(joint, 0), weight));
-    sum.y = wrap_add(sum.y, wrap_mul(coordinates(joint, 1), weight));
-    sum.z = wrap_add(sum.z, wrap_mul(coordinates(joint, 2), weight));
-  };
+  constexpr int kDown = animation_binary::kWeightBits;
   const std::uint32_t first = *words;
-  std::int32_t left = 1 << animation_binary::kWeightBits;
-  const auto add_one = [&](std::uint32_t k) {
-    const std::uint32_t word = words[k];
-    const auto weight = static_cast<std::int32_t>(((word >> 8) << 2) | ((first >> (8 + 2 * k)) & 3u));
-    left -= weight;
-    add(word, weight);
+  const std::uint32_t others = (first >> 8) & 3u;
+  const JointMatrix& joint = joints[first & 0xFFu];
+  const auto weight = [=](std::uint32_t k) {
+    return static_cast<std::int32_t>(((std::uint32_t{words[k]} >> 8) << 2) | ((first >> (8 + 2 * k)) & 3u));
   };
-  std::uint32_t others = (first >> 8) & 3u;
-  if (others == 1) {  // the most frequent case keeps everything in registers
-    add_one(1);
-  } else {
-    for (; others != 0; --others) add_one(others);
+  const auto other = [=](std::uint32_t k) -> const JointMatrix& { return joints[words[k] & 0xFFu]; };
+  if (others == 1) [[likely]] {  // the most frequent case, row by row, keeps everything in registers
+    const JointMatrix* const from = hidden(&joint);  // gcc would compute rows for all cases beforehand
+    const JointMatrix& to = other(1);
+    const std::int32_t w = weight(1);
+    const auto between = [&](std::size_t row) {
+      const std::int32_t c = coordinates(*from, row);
+      return wrap_add(c, wrap_mul(wrap_sub(coordinates(to, row), c) >> kDown, w));
+    };
+    const std::int32_t x = between(0);
+    const std::int32_t y = between(1);
+    return {x, y, between(2)};
   }
-  add(first, left);
+  if (others == 0) return {coordinates(joint, 0), coordinates(joint, 1), coordinates(joint, 2)};
+  WeightedSum sum;
+  std::int32_t left = 1 << kDown;
+  const auto add = [&](const JointMatrix& m, std::int32_t w) {
+    sum.x = wrap_add(sum.x, wrap_mul(coordinates(m, 0) >> kDown, w));
+    sum.y = wrap_add(sum.y, wrap_mul(coordinates(m, 1) >> kDown, w));
+    sum.z = wrap_add(sum.z, wrap_mul(coordinates(m, 2) >> kDown, w));
+  };
+  for (std::uint32_t k = others; k != 0; --k) {
+    const std::int32_t w = weight(k);
+    left -= w;
+    add(other(k), w);
+  }
+  add(joint, left);
   return sum;
 }
 
 /// The unit vector along a sum of weighted normals; +z for a sum of 0. Nearly all are 1/2...1 long, because
 /// the vectors that joints turn are 0.57...1 long: the table of roots serves these, normalised() the others.
 [[nodiscard]] ARCSPAN_INLINE inline Direction unit_normal(const WeightedSum& sum) {
-  constexpr int kBits = JointMatrix::kNormalBits + animation_binary::kWeightBits;
-  const auto above = [](std::int32_t c) {
-    return static_cast<std::uint32_t>(c) + (std::uint32_t{1} << kBits);
-  };
-  if (((above(sum.x) | above(sum.y) | above(sum.z)) >> (kBits + 1)) == 0) [[likely]] {
-    const std::int32_t x = sum.x >> (kBits - 15);
-    const std::int32_t y = sum.y >> (kBits - 15);
-    const std::int32_t z = sum.z >> (kBits - 15);
+  constexpr int kDown = 2 * JointMatrix::kBits - 15;
+  const std::int32_t x = sum.x >> kDown;
+  const std::int32_t y = sum.y >> kDown;
+  const std::int32_t z = sum.z >> kDown;
+  const auto above = [](std::int32_t c) { return static_cast<std::uint32_t>(c) + 32768u; };
+  if ((above(x) | above(y) | above(z)) < 65536) [[likely]] {
     const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };
     const std::uint32_t n30 = square(x) + square(y) + square(z);  // at most 3 * 2^30
     if (has_tabled_root(n30)) [[likely]] {
       const auto scale = static_cast<std::int32_t>(tabled_reciprocal_root(n30));
-      const auto unit = [scale](std::int32_t c) {
-        return DirectionComponent::from_raw(round_shift(c * scale, 15));
-      };
+      const auto unit = [scale](std::int32_t c) { return DirectionComponent::from_raw((c * scale) >> 15); };
       return {unit(x), unit(y), unit(z)};
     }
   }
@@ -145,16 +158,12 @@ ARCSPAN_INLINE inline ObjectPosition BasicSkinnedMesh<Rest>::position(std::size_
   const detail::WeightedSum sum = detail::weighted_sum(
       weights_.record(i), joints_,
       [=](const JointMatrix& joint, std::size_t row) { return joint.place(row, x, y, z); });
-  constexpr int kDown = JointMatrix::kPlaceBits + animation_binary::kWeightBits;
-  return detail::saturated_position(round_shift(sum.x, kDown), round_shift(sum.y, kDown),
-                                    round_shift(sum.z, kDown));
+  return detail::saturated_position<JointMatrix::kBits>(sum.x, sum.y, sum.z);
 }
 
 template <class Rest>
 ARCSPAN_INLINE inline Direction BasicSkinnedMesh<Rest>::direction(std::size_t i) const {
   const detail::OctahedralPoint n = detail::long_normal(*mesh_, i);
-  // As long as no joint scales by 128 or more, each product is below 2^30, and so is the sum, because the
-  // weights add up to 1024. Otherwise the sum wraps.
   const detail::WeightedSum sum = detail::weighted_sum(
       weights_.record(i), joints_,
       [n](const JointMatrix& joint, std::size_t row) { return joint.normal(row, n.x, n.y, n.z); });

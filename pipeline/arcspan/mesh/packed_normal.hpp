@@ -49,15 +49,21 @@ struct OctahedralPoint {
   std::int32_t z;
 };
 
-/// The point of a packed normal on the octahedron |x| + |y| + |z| = kOctahedralOne, without a branch. The sum
-/// is up to 4 more where u or v is -32768, which pack_normal() never writes.
+/// The point of a packed normal on the octahedron |x| + |y| + |z| = kOctahedralOne, or with `Down` bits less.
+/// The sum is up to 4 more where u or v is -32768, which pack_normal() never writes.
+template <int Down = 0>
 [[nodiscard]] ARCSPAN_INLINE constexpr OctahedralPoint octahedral_point(PackedNormal packed) {
   const auto with_sign = [](std::int32_t size, std::int32_t sign) { return (size ^ sign) - sign; };
-  const std::int32_t x = packed.u;
-  const std::int32_t y = packed.v;
-  const std::int32_t z = kOctahedralOne - with_sign(x, x >> 31) - with_sign(y, y >> 31);
-  const std::int32_t below = z & (z >> 31);  // added to both magnitudes, as octahedral_fold() does
-  return {x + with_sign(below, x >> 31), y + with_sign(below, y >> 31), z};
+  std::int32_t x = packed.u >> Down;
+  std::int32_t y = packed.v >> Down;
+  const std::int32_t size_x = with_sign(x, x >> 31);
+  const std::int32_t size_y = with_sign(y, y >> 31);
+  const std::int32_t z = (kOctahedralOne >> Down) - size_x - size_y;
+  if (z < 0) {  // as octahedral_fold() does
+    x = with_sign(size_x + z, x >> 31);
+    y = with_sign(size_y + z, y >> 31);
+  }
+  return {x, y, z};
 }
 
 }  // namespace detail

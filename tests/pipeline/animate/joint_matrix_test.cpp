@@ -20,7 +20,7 @@ NodeMatrix identity() {
 
 }  // namespace
 
-TEST_CASE("a place is the exact one, rounded to a quarter of an object unit") {
+TEST_CASE("a place is the exact one and a half") {
   Random random(42);
   for (int n = 0; n < 2000; ++n) {
     // Entries with 12 fraction bits below 1/4 and offsets below 2048 are kept exactly.
@@ -35,7 +35,7 @@ TEST_CASE("a place is the exact one, rounded to a quarter of an object unit") {
     }
     matrix.offset[1] = ObjectLength::from_raw(random.integer(-500'000, 500'000));
     exact += std::ldexp(matrix.offset[1].raw(), -8);
-    CHECK(JointMatrix(matrix).place(1, p[0], p[1], p[2]) == std::lround(std::floor(4 * exact + 0.5)));
+    CHECK(std::ldexp(JointMatrix(matrix).place(1, p[0], p[1], p[2]), -JointMatrix::kBits) == exact + 0.5);
   }
 }
 

@@ -4,9 +4,6 @@
 namespace arcspan::hal {
 namespace {
 
-// SSD1306 rev 1.1, 8.9: reset is low for at least 3 us, and nothing is sent for 3 us after it. The same times
-// are assumed for the SSD0323, whose datasheet was not available.
-constexpr std::uint32_t kResetUs = 10;
 constexpr std::uint8_t kNop = 0xE3;
 constexpr std::uint8_t kDisplayOff = 0xAE;
 
@@ -18,6 +15,9 @@ Status SolomonPanel::end_command() {
 }
 
 Status SolomonPanel::reset() {
+  // SSD1306 rev 1.1, 8.9: reset is low for at least 3 us, and nothing is sent for 3 us after it. The same
+  // times are assumed for the SSD0323, whose datasheet was not available.
+  constexpr std::uint32_t kResetUs = 10;
   if (reset_ != nullptr) {
     Status status = reset_->set(Level::kLow);
     clock().delay_us(kResetUs);

@@ -17,6 +17,7 @@ class SolomonPanel : public Panel {
       : Panel(glass, settings, clock), port_(port), reset_(reset) {}
   ~SolomonPanel() = default;
 
+  static constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_t>(value); }
   Status send(std::span<const std::uint8_t> bytes) { return port_.command(bytes); }
   /// Sends two NOPs, since no command used here has more than two parameters.
   Status end_command();

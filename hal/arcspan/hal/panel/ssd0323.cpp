@@ -7,17 +7,13 @@
 namespace arcspan::hal {
 namespace {
 
-constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_t>(value); }
-
-// Re-map (A0h).
-constexpr int kColumnRemap = 0x01;
-constexpr int kNibbleRemap = 0x02;
-constexpr int kComRemap = 0x10;
-constexpr int kComSplit = 0x40;
-
-/// Without re-map the low nibble is the left pixel; with nibble re-map the high one is. Mirrored columns
-/// exchange left and right again.
+/// Re-map (A0h). Without it the low nibble is the left pixel; with nibble re-map the high one is. Mirrored
+/// columns exchange left and right again.
 constexpr int remap(bool columns, bool rows, bool split) {
+  constexpr int kColumnRemap = 0x01;
+  constexpr int kNibbleRemap = 0x02;
+  constexpr int kComRemap = 0x10;
+  constexpr int kComSplit = 0x40;
   return (columns ? kColumnRemap : kNibbleRemap) | (rows ? kComRemap : 0) | (split ? kComSplit : 0);
 }
 

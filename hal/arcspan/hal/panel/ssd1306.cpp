@@ -3,11 +3,6 @@
 #include <arcspan/hal/panel/ssd1306.hpp>
 
 namespace arcspan::hal {
-namespace {
-
-constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_t>(value); }
-
-}  // namespace
 
 bool Ssd1306::do_fits() const {
   const Glass& g = glass();

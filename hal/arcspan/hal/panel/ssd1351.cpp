@@ -7,18 +7,7 @@
 namespace arcspan::hal {
 namespace {
 
-// 8.9: reset is low for at least 2 us, and nothing is sent for 2 us after it.
-constexpr std::uint32_t kResetUs = 10;
-
 constexpr std::uint8_t byte(std::int32_t value) { return static_cast<std::uint8_t>(value); }
-
-// Re-map and colour depth (10.1.5).
-constexpr int kVerticalIncrement = 0x01;
-constexpr int kColumnRemap = 0x02;
-constexpr int kColoursSwapped = 0x04;
-constexpr int kComRemap = 0x10;
-constexpr int kComSplit = 0x20;
-constexpr int k65kColours = 0x40;
 
 struct Command {
   std::uint8_t opcode = 0;
@@ -43,6 +32,8 @@ bool Ssd1351::do_fits() const {
 }
 
 Status Ssd1351::do_reset() {
+  // 8.9: reset is low for at least 2 us, and nothing is sent for 2 us after it.
+  constexpr std::uint32_t kResetUs = 10;
   if (reset_ != nullptr) {
     Status status = reset_->set(Level::kLow);
     clock().delay_us(kResetUs);
@@ -55,6 +46,13 @@ Status Ssd1351::do_reset() {
 }
 
 Status Ssd1351::do_configure() {
+  // Re-map and colour depth (10.1.5).
+  constexpr int kVerticalIncrement = 0x01;
+  constexpr int kColumnRemap = 0x02;
+  constexpr int kColoursSwapped = 0x04;
+  constexpr int kComRemap = 0x10;
+  constexpr int kComSplit = 0x20;
+  constexpr int k65kColours = 0x40;
   const Glass& g = glass();
   const PanelSettings& s = settings();
   const int map = (turned() ? kVerticalIncrement : 0) |

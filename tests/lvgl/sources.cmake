@@ -32,16 +32,16 @@ foreach(folder IN LISTS test_folders)
 endforeach()
 
 # arcspan_lvgl_library(NAME SOURCES...): LVGL with the widget and the frames of the tests. Most of what LVGL's sources take to
-# compile is its headers, so those of a folder are compiled as one, except for folders where names of sources collide.
+# compile is its headers, so those of a folder of src/ are compiled as one, except for folders where names of sources collide.
 function(arcspan_lvgl_library name)
   set(ours ${PROJECT_SOURCE_DIR}/platform/lvgl/lv_arcspan_unit.c ${PROJECT_SOURCE_DIR}/platform/lvgl/lv_arcspan_view.c
       ${PROJECT_SOURCE_DIR}/tests/lvgl/frames.c)
   add_library(${name} STATIC ${ARGN} ${ours})
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   foreach(source IN LISTS lvgl_sources lvgl_test_sources)
-    get_filename_component(folder ${source} DIRECTORY)
-    if(NOT source MATCHES "/(blend|font|class|instance)/[^/]*$|/lv_(anim|timer).c$")
-      string(MAKE_C_IDENTIFIER ${folder} folder)
+    if(NOT source MATCHES "/(blend|font|class|instance|themes/[a-z]+)/[^/]*$|/lv_(anim|timer).c$")
+      file(RELATIVE_PATH inside ${lvgl}/src ${source})
+      string(REGEX REPLACE "/.*" "" folder ${inside})
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
     endif()
   endforeach()

@@ -7,7 +7,7 @@ a home of their own and the program ARCSPAN in the path. Commands of a block tha
 a folder that holds the files of the pages' code blocks, as a reader would have saved them.
 
 Commands of SLOW take longer than all others together. Instead of them a cheaper command runs, which fails if the script or
-the target does not exist, or which compiles the library as one source; with --slow they run, except scripts/test, which
+the target does not exist, or which compiles the library as one source without optimisation; with --slow they run, except scripts/test, which
 would run this program again."""
 
 import argparse
@@ -26,7 +26,7 @@ SLOW = {
     "scripts/first-picture": "test -x scripts/first-picture && bash -n scripts/first-picture",
     "scripts/test": "test -x scripts/test && bash -n scripts/test",
     "cmake --build build/release --target arcspan": "cmake --build build/release --target arcspan -- -n",
-    LIBRARY: LIBRARY + " -DARCSPAN_LIBRARY_UNITY=ON",
+    LIBRARY: LIBRARY + " -DARCSPAN_LIBRARY_UNITY=ON -DCMAKE_CXX_FLAGS_RELEASE=-O0",
 }
 # A reader's model: a tetrahedron.
 MODEL = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"

@@ -17,12 +17,37 @@ struct ClipVertex {
   typename Method::Vertex shade;
 };
 
-/// A convex polygon. A triangle cut by six planes has at most 9 vertices.
+/// A convex polygon, which begins as a triangle. Cut by six planes it has at most 9 vertices. They lie in a
+/// ring, so that those that a cut leaves are written over those that it has read.
 template <class Method>
-struct ClipPolygon {
+class ClipPolygon {
+ public:
   static constexpr std::size_t kCapacity = 9;
-  ClipVertex<Method> vertices[kCapacity];
-  std::size_t count;
+
+  /// The triangle of three vertices, which are unset.
+  constexpr ClipPolygon() = default;
+
+  [[nodiscard]] constexpr std::size_t count() const { return count_; }
+  [[nodiscard]] constexpr const ClipVertex<Method>& operator[](std::size_t i) const {
+    return vertices_[wrapped(first_ + i)];
+  }
+  [[nodiscard]] constexpr ClipVertex<Method>& operator[](std::size_t i) {
+    return vertices_[wrapped(first_ + i)];
+  }
+
+  /// Leaves what is inside of `plane`, by Sutherland and Hodgman's algorithm.
+  ARCSPAN_COLD constexpr void clip(ClipOutcode plane, const WRange& w_range);
+
+ private:
+  /// One vertex is read at a time, and up to one more is written than was read.
+  static constexpr std::size_t kSlots = kCapacity + 2;
+  [[nodiscard]] static constexpr std::size_t wrapped(std::size_t slot) {
+    return slot < kSlots ? slot : slot - kSlots;
+  }
+
+  ClipVertex<Method> vertices_[kSlots];
+  std::size_t first_ = 0;
+  std::size_t count_ = 3;
 };
 
 namespace detail {
@@ -74,48 +99,48 @@ ARCSPAN_OUTLINE ARCSPAN_COLD constexpr void cut(const ClipVertex<Method>& inside
       Method::between(inside.shade, outside.shade, Factor::from_raw(static_cast<std::int32_t>(t >> 15)));
 }
 
-/// Clips `in` to one plane, by Sutherland and Hodgman's algorithm; the result is written to `out`.
-template <class Method>
-ARCSPAN_COLD constexpr void clip_to_plane(const ClipPolygon<Method>& in, ClipPolygon<Method>& out,
-                                          ClipOutcode plane, const WRange& w_range) {
-  out.count = 0;
-  for (std::size_t i = 0; i < in.count; ++i) {
-    const ClipVertex<Method>& here = in.vertices[i];
-    const ClipVertex<Method>& next = in.vertices[i + 1 == in.count ? 0 : i + 1];
-    const std::int32_t d0 = plane_distance(here.position, plane, w_range);
-    const std::int32_t d1 = plane_distance(next.position, plane, w_range);
-    // A convex polygon gains at most one vertex per plane, so `out` is full only for inconsistent input.
-    if (d0 >= 0 && out.count < ClipPolygon<Method>::kCapacity) out.vertices[out.count++] = here;
-    if ((d0 >= 0) != (d1 >= 0) && out.count < ClipPolygon<Method>::kCapacity) {
-      ClipVertex<Method>& vertex = out.vertices[out.count++];
-      if (d0 >= 0) {
-        cut(here, next, d0, d1, vertex);
-      } else {
-        cut(next, here, d1, d0, vertex);
-      }
-    }
-  }
-}
-
 }  // namespace detail
 
-/// Clips `polygon` to the near plane, the far plane and the four sides of the guard band. Returns the result,
-/// which is in `polygon` or in `spare`; both are overwritten. Its count is 0 if nothing is left.
 template <class Method>
-[[nodiscard]] ARCSPAN_COLD constexpr const ClipPolygon<Method>& clip_polygon(ClipPolygon<Method>& polygon,
-                                                                             ClipPolygon<Method>& spare,
-                                                                             const WRange& w_range) {
-  ClipPolygon<Method>* from = &polygon;
-  ClipPolygon<Method>* to = &spare;
+constexpr void ClipPolygon<Method>::clip(ClipOutcode plane, const WRange& w_range) {
+  const ClipVertex<Method> begin = vertices_[first_];
+  std::size_t read = first_;
+  std::size_t write = wrapped(first_ + count_);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const ClipVertex<Method>& here = vertices_[read];
+    read = wrapped(read + 1);
+    const ClipVertex<Method>& next = i + 1 == count_ ? begin : vertices_[read];
+    const std::int32_t d0 = detail::plane_distance(here.position, plane, w_range);
+    const std::int32_t d1 = detail::plane_distance(next.position, plane, w_range);
+    // A convex polygon gains at most one vertex per plane, so there is no slot only for inconsistent input.
+    if (d0 >= 0 && kept <= i + 1) {
+      vertices_[write] = here;
+      write = wrapped(write + 1);
+      ++kept;
+    }
+    if ((d0 >= 0) != (d1 >= 0) && kept <= i + 1) {
+      if (d0 >= 0) {
+        detail::cut(here, next, d0, d1, vertices_[write]);
+      } else {
+        detail::cut(next, here, d1, d0, vertices_[write]);
+      }
+      write = wrapped(write + 1);
+      ++kept;
+    }
+  }
+  first_ = wrapped(first_ + count_);
+  count_ = kept;
+}
+
+/// Clips `polygon` to the near plane, the far plane and the four sides of the guard band. Its count is 0 if
+/// nothing is left.
+template <class Method>
+ARCSPAN_COLD constexpr void clip_polygon(ClipPolygon<Method>& polygon, const WRange& w_range) {
   for (const ClipOutcode plane :
        {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom, kOutsideFar}) {
-    detail::clip_to_plane(*from, *to, plane, w_range);
-    ClipPolygon<Method>* const result = to;
-    to = from;
-    from = result;
-    if (from->count == 0) break;
+    polygon.clip(plane, w_range);
   }
-  return *from;
 }
 
 }  // namespace arcspan

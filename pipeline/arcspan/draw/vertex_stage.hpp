@@ -143,19 +143,18 @@ ARCSPAN_OUTLINE ARCSPAN_COLD std::size_t clip_triangle(const VertexStage<Method,
                                                        const TriangleIndices& t, Facing facing,
                                                        RasterVertex<Method>* inside) {
   ClipPolygon<Method> polygon;
-  ClipPolygon<Method> spare;
-  polygon.count = 0;
+  std::size_t corner = 0;
   for (const std::uint16_t i : {t.a, t.b, t.c}) {
-    ClipVertex<Method>& vertex = polygon.vertices[polygon.count++];
+    ClipVertex<Method>& vertex = polygon[corner++];
     vertex.position = stage.clip_position(i);
     stage.shade(i, facing, vertex.shade);
   }
-  const ClipPolygon<Method>& rest = clip_polygon(polygon, spare, stage.transform().w_range());
-  for (std::size_t i = 0; i < rest.count; ++i) {
-    place_on_screen(rest.vertices[i].position, stage.transform(), inside[i]);
-    inside[i].shade = rest.vertices[i].shade;
+  clip_polygon(polygon, stage.transform().w_range());
+  for (std::size_t i = 0; i < polygon.count(); ++i) {
+    place_on_screen(polygon[i].position, stage.transform(), inside[i]);
+    inside[i].shade = polygon[i].shade;
   }
-  return rest.count;
+  return polygon.count();
 }
 
 }  // namespace detail

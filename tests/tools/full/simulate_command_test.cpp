@@ -189,6 +189,7 @@ TEST_CASE("simulate says in one line what is wrong, and writes nothing") {
       {"--rotate 45", "arcspan: --rotate: expected 0, 90, 180 or 270, not '45'\n"},
       {"--no-charge-pump", "arcspan: --charge-pump: only an ssd1306 has one, not ili9341\n"},
       {"--internal-reference", "arcspan: --internal-reference: only an ssd1306 has one, not ili9341\n"},
+      {"--sequential-coms", "arcspan: --alternating-coms: only an ssd1306 has a choice, not ili9341\n"},
       {"--panel ssd1306 --glass 72x40 --glass-at 60,0",
        "arcspan: --glass-at: 72x40 at 60,0 does not fit the 128x64 pixels of ssd1306\n"},
       {"--panel ssd1306 --glass 72x41",

@@ -120,6 +120,12 @@ void add_glass_options(CLI::App& app, GlassOptions& options) {
       [&options](std::int64_t count) { options.internal_reference = count > 0; },
       "of an ssd1306: the segments' current has the controller's own reference (ADh; default for up to 72x40 "
       "pixels), or a resistor of the module");
+  app.add_flag_function(
+      "--alternating-coms,!--sequential-coms",
+      [&options](std::int64_t count) { options.alternating_coms = count > 0; },
+      "of an ssd1306: its rows are wired to alternating sides, or one after the other (DAh; default for 96 "
+      "and "
+      "more columns with up to 32 rows)");
 }
 
 PanelModule find_module(const std::string& option, const std::string& name, const GlassOptions& options) {
@@ -142,9 +148,14 @@ PanelModule find_module(const std::string& option, const std::string& name, cons
       throw Failure("--charge-pump", "only an ssd1306 has one, not " + name);
     if (options.internal_reference && !is_ssd1306)
       throw Failure("--internal-reference", "only an ssd1306 has one, not " + name);
+    if (options.alternating_coms && !is_ssd1306)
+      throw Failure("--alternating-coms", "only an ssd1306 has a choice, not " + name);
     module.wiring.charge_pump = options.charge_pump.value_or(true);
     const bool is_small = module.glass.width <= 72 && module.glass.height == 40;
     module.wiring.internal_reference = options.internal_reference.value_or(is_small);
+    // Modules of 128x32 and 96x16 pixels; those of 64x32, 64x48 and 72x40 are wired as 128x64 is.
+    const bool is_low = module.glass.width >= 96 && module.glass.height <= 32;
+    module.wiring.alternating_coms = options.alternating_coms.value_or(!is_low);
     return module;
   }
   throw Failure(option, "expected " + joined(module_names(), ", ") + ", not '" + name + "'");

@@ -25,6 +25,7 @@ struct GlassOptions {
   int spi_mode = 0;  ///< 0...3
   std::optional<bool> charge_pump;
   std::optional<bool> internal_reference;
+  std::optional<bool> alternating_coms;
 };
 
 /// A controller with a glass. The names of both commands.

@@ -15,8 +15,9 @@ inline constexpr Glass kSsd1306Module72x40{72, 40, 28, 0, true, true, false, fal
 
 /// Power supply and row wiring of an SSD1306 module.
 struct Ssd1306Wiring {
-  bool charge_pump = true;       ///< VCC comes from the controller's charge pump (8Dh, since rev 1.2)
-  bool alternating_coms = true;  ///< rows are wired to alternating sides; false for most glasses of 32 rows
+  bool charge_pump = true;  ///< VCC comes from the controller's charge pump (8Dh, since rev 1.2)
+  /// Rows are wired to alternating sides. False for most modules of 128 x 32 and 96 x 16 pixels.
+  bool alternating_coms = true;
   /// The current of the segments has the controller's own reference, 30 uA, instead of a resistor of the
   /// module: command ADh, which the SSD1315 datasheet states, and which older SSD1306 take without effect.
   bool internal_reference = false;

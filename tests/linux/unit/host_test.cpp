@@ -111,16 +111,17 @@ TEST_CASE("a delay is never shorter than asked, signals or not") {
 
 TEST_CASE("signals wait until they are looked for, and act as before afterwards") {
   {
+    const Interruptions interruptions;
     SignalWatch signals;
     CHECK(signals.poll() == 0);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGUSR1, SIGUSR2, SIGVTALRM,
+                             SIGPROF, SIGXFSZ, SIGPOLL, SIGPWR, SIGRTMIN, SIGRTMAX}) {
       std::raise(signal);
       CHECK(signals.poll() == signal);
       CHECK(signals.poll() == 0);
       std::raise(signal);
       CHECK(signals.wait() == signal);
     }
-    const Interruptions interruptions;
     MonotonicClock clock;
     const std::uint32_t begin = clock.now_us();
     CHECK(signals.wait_until(in_milliseconds(20)) == 0);
@@ -131,6 +132,12 @@ TEST_CASE("signals wait until they are looked for, and act as before afterwards"
   sigset_t blocked;
   ::pthread_sigmask(SIG_BLOCK, nullptr, &blocked);
   CHECK(sigismember(&blocked, SIGTERM) == 0);
+}
+
+TEST_CASE("an alarm that nobody handles waits, too") {
+  SignalWatch signals;
+  std::raise(SIGALRM);
+  CHECK(signals.wait_until(in_milliseconds(100'000)) == SIGALRM);
 }
 
 TEST_CASE("a signal that was ignored stays ignored") {

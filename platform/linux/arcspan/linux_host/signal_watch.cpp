@@ -21,16 +21,26 @@ timespec remaining(const timespec& until) {
   return left.tv_sec < 0 ? timespec{} : left;
 }
 
+auto handler_of(int signal) {
+  struct sigaction present {};
+  ::sigaction(signal, nullptr, &present);
+  return present.sa_handler;
+}
+
 }  // namespace
 
 SignalWatch::SignalWatch() {
   sigemptyset(&watched_);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
-    // An ignored signal (nohup) is left out, because a blocked one would be reported.
-    struct sigaction present {};
-    if (::sigaction(signal, nullptr, &present) == 0 && present.sa_handler != SIG_IGN) {
-      sigaddset(&watched_, signal);
-    }
+  // An ignored signal (nohup) is left out, because a blocked one would be reported.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU}) {
+    if (handler_of(signal) != SIG_IGN) sigaddset(&watched_, signal);
+  }
+  // Handled, these do not end the program.
+  for (const int signal : {SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXFSZ, SIGPOLL, SIGPWR}) {
+    if (handler_of(signal) == SIG_DFL) sigaddset(&watched_, signal);
+  }
+  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) {
+    if (handler_of(signal) == SIG_DFL) sigaddset(&watched_, signal);
   }
   ::pthread_sigmask(SIG_BLOCK, &watched_, &before_);
 }

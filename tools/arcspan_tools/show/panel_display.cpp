@@ -110,8 +110,8 @@ class PanelDisplay final : public Display {
   }
 
   void finish() override {
+    wires_.check(panel().sleep());  // if it fails, the destructor tries once more
     started_ = false;
-    wires_.check(panel().sleep());
     wires_.light(false);
   }
 

@@ -11,8 +11,12 @@
 #include <catch2/catch.hpp>
 #include <fcntl.h>
 #include <sys/ioctl.h>
+#include <sys/syscall.h>
 #include <tests/linux/guest/tests/guest.hpp>
 #include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
 
 using namespace arcspan;
 using namespace arcspan::linux_host;
@@ -23,6 +27,8 @@ namespace {
 constexpr const char* kDevice = "/dev/fb0";
 constexpr int kWidth = 200;
 constexpr int kHeight = 120;
+
+int writes_until_failure = 0;  // the last of them fails; 0: none
 
 /// A second way to the framebuffer, for the test.
 class Raw {
@@ -134,6 +140,15 @@ int differences(const Raw& raw, unsigned yoffset) {
 
 }  // namespace
 
+/// Instead of libc's.
+extern "C" ssize_t pwrite(int fd, const void* bytes, std::size_t count, off_t at) {
+  if (writes_until_failure > 0 && --writes_until_failure == 0) {
+    errno = EIO;
+    return -1;
+  }
+  return ::syscall(SYS_pwrite64, fd, bytes, count, at);
+}
+
 TEST_CASE(
     "what the pipeline draws is what the kernel's framebuffer holds, in every depth; then all is as before") {
   Raw raw;
@@ -189,4 +204,26 @@ TEST_CASE("rows outside the picture are refused and nothing is written") {
   CHECK((raw.memory() == memory));
   CHECK(device.write_rows(0, row).status == Status::kNotReady);
   CHECK(ok(device.restore()));
+}
+
+TEST_CASE("a row that cannot be restored does not keep the others from it") {
+  constexpr int kFailing = 3;
+  Raw raw;
+  raw.set_mode(16);
+  raw.fill();
+  FramebufferDevice device;
+  REQUIRE(ok(device.open(kDevice)));
+  const std::vector<std::uint8_t> before = raw.memory();
+  FramebufferSink sink(device);
+  sink.clear({10, 20, 30});
+  REQUIRE(ok(sink.show()));
+  writes_until_failure = kFailing + 1;
+  CHECK(device.restore().text() == "pixels cannot be written: Input/output error");
+  const std::vector<std::uint8_t> after = raw.memory();
+  const std::size_t pitch = raw.pitch();
+  for (std::size_t y = 0; y < kHeight; ++y) {
+    CAPTURE(y);
+    const auto* const row = before.data() + y * pitch;
+    CHECK(std::equal(row, row + pitch, after.data() + y * pitch) == (y != kFailing));
+  }
 }

@@ -131,8 +131,12 @@ Result FramebufferDevice::restore() {
   if (!file_.is_open()) return {};
   Result result;
   if (layout_.kind == PixelLayout::Kind::kPalette) result = palette_before_.write(file_.get());
-  const Result written = write_rows(0, picture_before_);
-  if (linux_host::ok(result)) result = written;
+  const std::size_t bytes = bytes_per_row();
+  for (std::int32_t y = 0; y < height_; ++y) {
+    const std::uint8_t* const row = picture_before_.data() + bytes * static_cast<std::size_t>(y);
+    const Result written = write_rows(y, {row, bytes});
+    if (linux_host::ok(result)) result = written;
+  }
   console_.release();
   file_.close();
   picture_before_.clear();

@@ -47,8 +47,8 @@ class FramebufferDevice {
   /// Reads the visible picture in the form of write_rows().
   Result read_rows(std::vector<std::uint8_t>& rows);
 
-  /// Restores the picture, palette and console from before open() and closes the device. Tries all of them
-  /// and returns the first failure. kOk if not open.
+  /// Restores the picture, palette and console from before open() and closes the device. Tries all of them,
+  /// and every row, and returns the first failure. kOk if not open.
   Result restore();
 
  private:

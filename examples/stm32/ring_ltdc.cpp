@@ -45,8 +45,9 @@ extern "C" void HAL_LTDC_ReloadEventCallback(LTDC_HandleTypeDef*) { is_shown = t
 extern "C" void ring_run(void) {
   Object object(kMesh, kCopper);
   Status status = Status::kOk;
-  for (std::uint16_t turn = 0; ok(status); turn += 400) {
-    std::uint16_t* const pixels = sdram.frames[turn / 400 % 2];
+  unsigned hidden = 0;  // the frame that is not shown
+  for (std::uint16_t turn = 0; ok(status); turn += 400, hidden ^= 1) {
+    std::uint16_t* const pixels = sdram.frames[hidden];
     Frame frame({pixels, kWidth * kHeight}, kWidth, kHeight);
     DepthBuffer depth(sdram.depths, kWidth, kHeight);
     object.rotation = rotation_of(EulerAngles{{turn}, {11000}, {}});

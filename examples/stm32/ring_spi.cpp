@@ -59,10 +59,23 @@ class Pin final : public hal::OutputPin {
   std::uint16_t pin_;
 };
 
-// Milliseconds are enough for the panel's times: a delay is rounded up.
+// SysTick counts down through each millisecond of HAL_GetTick(). HAL_Delay() waits up to two milliseconds,
+// which is too long between two looks at the DMA.
 class HalClock final : public hal::Clock {
-  std::uint32_t do_now_us() override { return HAL_GetTick() * 1000; }
-  void do_delay_us(std::uint32_t us) override { HAL_Delay(us / 1000 + 1); }
+  std::uint32_t do_now_us() override {
+    std::uint32_t milliseconds, left;
+    do {
+      milliseconds = HAL_GetTick();
+      left = SysTick->VAL;
+    } while (milliseconds != HAL_GetTick());  // repeat if the next one began between the two
+    const std::uint32_t cycles = SysTick->LOAD + 1;
+    return milliseconds * 1000 + (cycles - 1 - left) * 1000 / cycles;
+  }
+  void do_delay_us(std::uint32_t us) override {
+    const std::uint32_t begin = do_now_us();
+    while (do_now_us() - begin <= us) {  // a microsecond more, because the first one had begun
+    }
+  }
 };
 
 Pages::Frame::Word band_memory[Pages::Frame::words(kSide, kRows)];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The public signatures of ST's HAL, as a project of CubeMX includes them, that examples/stm32 uses: the
-// older ones, without const and with pointers to words, which newer ones accept. Nothing is implemented.
+// older ones, without const and with pointers to words, which newer ones accept. tests/examples/stm32
+// implements what it runs.
 // Compared with stm32f4xx_hal_spi.h and stm32f7xx_hal_ltdc.h of CubeMX projects and core_cm7.h; not with
 // other families.
 #pragma once
@@ -39,6 +40,12 @@ HAL_StatusTypeDef HAL_LTDC_Reload(LTDC_HandleTypeDef* hltdc, uint32_t ReloadType
 void HAL_LTDC_ReloadEventCallback(LTDC_HandleTypeDef* hltdc);
 void SCB_CleanDCache_by_Addr(uint32_t* addr, int32_t dsize);
 void Error_Handler(void);
+
+typedef struct {
+  volatile uint32_t CTRL, LOAD, VAL;
+} SysTick_Type;
+extern SysTick_Type systick_stub;
+#define SysTick (&systick_stub)
 
 extern GPIO_TypeDef port_stub;
 #define LCD_DC_GPIO_Port (&port_stub)

@@ -49,11 +49,26 @@ extern "C" {
 
 [[noreturn]] void arcspan_reset() { arcspan::bare::run(); }
 
-/// Resets the stack pointer before reporting, because a stack overflow may be the cause.
+/// Skips the trap of semihosting.cpp, which faults without a debugger, so that a program goes on and what it
+/// prints is lost. Any other fault is reported; without a debugger the report locks the core up. Resets the
+/// stack pointer before, because a stack overflow may be the cause.
 [[gnu::naked]] void arcspan_fault() {
   __asm volatile(
       ".syntax unified\n"
+      ".weak arcspan_semihosting\n"  // a board may have another console
       "mrs r0, msp\n"
+      "ldr r1, =arcspan_stack_bottom\n"
+      "cmp r0, r1\n"
+      "blo 1f\n"
+      "ldr r2, [r0, #24]\n"  // the stacked pc
+      "ldr r1, =arcspan_semihosting\n"
+      "subs r1, #1\n"  // without the bit of Thumb
+      "cmp r1, r2\n"
+      "bne 1f\n"
+      "adds r2, #2\n"
+      "str r2, [r0, #24]\n"
+      "bx lr\n"
+      "1:\n"
       "ldr r1, =arcspan_stack_top\n"
       "mov sp, r1\n"
       "ldr r1, =%c0\n"

@@ -12,7 +12,8 @@ namespace arcspan::bare {
 /// Initialises clocks, console and counter. Called once before main(), after .data and .bss are set up.
 void initialise_board();
 
-/// Writes zero-terminated `text` to the console and blocks until it is sent. Not for interrupt handlers.
+/// Writes zero-terminated `text` to the console and blocks until it is sent. Not for interrupt handlers. With
+/// semihosting and without a debugger, nothing happens.
 void write(const char* text);
 
 /// Ends the program. `status`, 0 ... 255, becomes the exit status of the emulator; 0 is success. Without a

@@ -10,6 +10,7 @@ struct SphereView {
   std::int64_t nearest;       ///< w of the sphere's nearest point
   std::int64_t farthest;      ///< distance of the farthest point before the camera, in object units
   std::int64_t widest_slope;  ///< largest |x| / distance or |y| / distance, 16 fraction bits
+  bool may_pass_far;          ///< the sphere reaches beyond the far plane
 };
 
 /// v / divisor, rounded down, for v >= 0 and divisor > 0. Unsigned like the library's other divisions, which
@@ -59,13 +60,21 @@ bool view_sphere(std::int64_t radius, const ClipTransform& transform, SphereView
   const std::int64_t depth_radius = distance_along(radius, unit);
   view.nearest = origin.w - depth_radius;
   if (view.nearest < transform.near_w() || view.nearest < kPreciseW) return false;
-  if (origin.w + depth_radius > transform.w_range().farthest) return false;
+  view.may_pass_far = origin.w + depth_radius > transform.w_range().farthest;
   view.farthest = times_power_of_two(origin.w + depth_radius, -transform.w_bits()) + 1;
   const std::int64_t across = detail::magnitude64(origin.x);
   const std::int64_t down = detail::magnitude64(origin.y);
   const std::int64_t edge = (across > down ? across : down) + distance_along(radius, unit_across);
   if (edge > view.nearest) return false;
   view.widest_slope = quotient(quotient(edge << 16, view.nearest) << detail::kGuardLengthBits, focal);
+  return true;
+}
+
+/// True if all vertices are before the far plane.
+bool is_before_far(const MeshView& mesh, const ClipTransform& transform) {
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
+    if (transform(mesh.position(i)).w > transform.w_range().farthest) return false;
+  }
   return true;
 }
 
@@ -98,6 +107,8 @@ BackFaces::BackFaces(const MeshView& mesh, const ClipTransform& transform) {
   const std::int64_t away = sum_of_magnitudes(transform.eye());
   SphereView view{};
   if (mesh.planes() == nullptr || away > kFarthest || !view_sphere(scale.radius, transform, view)) return;
+  // Far planes are often put right behind an object, so that its sphere reaches beyond.
+  if (view.may_pass_far && !is_before_far(mesh, transform)) return;
   const std::int64_t margin = snapping_margin(view, transform.focal());
   if (margin >= kTooMuch) return;
   // Bytes of a plane are rounded by half a unit each, its offset by one more, being made of a rounded normal.

@@ -165,6 +165,8 @@ TEST_CASE("nothing is culled without planes, nor where a plane or the guard band
   camera.near_plane = 16;
   camera.far_plane = 11900;
   CHECK_FALSE(BackFaces(mesh.view(), camera.transform()).known());
+  camera.far_plane = 12000.4;  // vertices are before it, the bound of the sphere is not
+  CHECK(BackFaces(mesh.view(), camera.transform()).known());
   camera.far_plane = 200000;
   camera.translation.z = -2000;  // around the eye
   CHECK_FALSE(BackFaces(mesh.view(), camera.transform()).known());

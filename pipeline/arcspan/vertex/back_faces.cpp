@@ -70,10 +70,20 @@ bool view_sphere(std::int64_t radius, const ClipTransform& transform, SphereView
   return true;
 }
 
-/// True if all vertices are before the far plane.
+/// True if all vertices are before the far plane by more than the error of entries that have 14 bits here, so
+/// that sums have 32.
 bool is_before_far(const MeshView& mesh, const ClipTransform& transform) {
+  constexpr int kDropped = 15;
+  constexpr std::int64_t kError = 3 << (15 + kDropped - kEntryBits);
+  const auto entry = [&](std::size_t j) {
+    return static_cast<std::int32_t>(transform.entry(2, j) >> kDropped);
+  };
+  const std::int32_t m[3] = {entry(0), entry(1), entry(2)};
+  const auto most = static_cast<std::int32_t>((transform.w_range().farthest - transform.offset(2) - kError) >>
+                                              (kDropped - kEntryBits));
   for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    if (transform(mesh.position(i)).w > transform.w_range().farthest) return false;
+    const ObjectPosition& p = mesh.position(i);
+    if (m[0] * p.x + m[1] * p.y + m[2] * p.z > most) return false;
   }
   return true;
 }

@@ -165,8 +165,6 @@ TEST_CASE("nothing is culled without planes, nor where a plane or the guard band
   camera.near_plane = 16;
   camera.far_plane = 11900;
   CHECK_FALSE(BackFaces(mesh.view(), camera.transform()).known());
-  camera.far_plane = 12000.4;  // vertices are before it, the bound of the sphere is not
-  CHECK(BackFaces(mesh.view(), camera.transform()).known());
   camera.far_plane = 200000;
   camera.translation.z = -2000;  // around the eye
   CHECK_FALSE(BackFaces(mesh.view(), camera.transform()).known());
@@ -178,6 +176,24 @@ TEST_CASE("nothing is culled without planes, nor where a plane or the guard band
     CHECK_FALSE(BackFaces(mesh.view(), camera.transform()).known());
     camera.translation.*side = -27000;
     CHECK(BackFaces(mesh.view(), camera.transform()).known());
+  }
+}
+
+TEST_CASE("a far plane right behind the vertices does not keep planes from being used") {
+  Random random(115);
+  TestMesh made = make_sphere(8, 16, 1000, 0, random);
+  for (ObjectPosition& p : made.positions) p.z = static_cast<std::int16_t>(p.z + 2000);
+  const PlanedMesh mesh(std::move(made));
+  TestCamera camera;
+  camera.translation = {0, 0, -9000};
+  for (const auto& [far_plane, known] :
+       {std::pair{12100.0, true}, {8030.0, true}, {7950.0, false}, {7000.0, false}}) {
+    camera.far_plane = far_plane;
+    CAPTURE(far_plane);
+    CHECK(BackFaces(mesh.view(), camera.transform()).known() == known);
+    Tally tally;
+    tally_view(mesh.view(), camera.transform(), tally);
+    CHECK(tally.outside == 0);
   }
 }
 

@@ -123,8 +123,8 @@ void add_glass_options(CLI::App& app, GlassOptions& options) {
   app.add_flag_function(
       "--alternating-coms,!--sequential-coms",
       [&options](std::int64_t count) { options.alternating_coms = count > 0; },
-      "of an ssd1306: its rows are wired to alternating sides, or one after the other (DAh; default for up to "
-      "32 rows of 96 or more columns)");
+      "of an ssd1306: its rows are wired to alternating sides, or one after the other (DAh; default for up "
+      "to 32 rows of 96 or more columns)");
 }
 
 PanelModule find_module(const std::string& option, const std::string& name, const GlassOptions& options) {

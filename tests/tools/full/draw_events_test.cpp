@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the estimates of instructions are made of.
+#include <arcspan/outline/edge_finder.hpp>
+
 #include <arcspan_tools/command/method_advice.hpp>
 #include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>

@@ -44,16 +44,15 @@ enum ClipOutcode : std::uint8_t {
 
 /// The outcode of a clip-space vertex: ClipOutcode bits.
 [[nodiscard]] constexpr std::uint8_t outcode(const ClipPosition& p, const WRange& w_range) {
-  // Behind the near plane the other planes are not tested, because w may be negative there.
-  if (p.w < w_range.nearest) return kOutsideNear;
-  const bool beyond = p.w > w_range.farthest;
   const auto inside = [&p](std::int32_t c) {
     return static_cast<std::uint32_t>(c + p.w) <= 2 * static_cast<std::uint32_t>(p.w);
   };
-  if (inside(p.x) && inside(p.y) && !beyond) return kInside;
-  return static_cast<std::uint8_t>((beyond ? kOutsideFar : 0) | (p.x < -p.w ? kOutsideLeft : 0) |
-                                   (p.x > p.w ? kOutsideRight : 0) | (p.y < -p.w ? kOutsideTop : 0) |
-                                   (p.y > p.w ? kOutsideBottom : 0));
+  // Behind the near plane the other planes are not tested, because w may be negative there.
+  if (p.w < w_range.nearest) return kOutsideNear;
+  if (inside(p.x) && inside(p.y) && p.w <= w_range.farthest) return kInside;
+  return static_cast<std::uint8_t>((p.x < -p.w ? kOutsideLeft : 0) | (p.x > p.w ? kOutsideRight : 0) |
+                                   (p.y < -p.w ? kOutsideTop : 0) | (p.y > p.w ? kOutsideBottom : 0) |
+                                   (p.w > w_range.farthest ? kOutsideFar : 0));
 }
 
 /// The vertex on the screen: x and y are divided by w, rounded to the nearest Subpixel, and saturated at the

@@ -48,8 +48,7 @@ class TemporaryFolder {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The text of the exception that `action` throws; fails the test if it does not throw an exception of type
-/// E.
+/// The text of the exception of type E that `action` throws, or "(nothing was thrown)".
 template <class E, class F>
 [[nodiscard]] std::string message_of(F&& action) {
   try {

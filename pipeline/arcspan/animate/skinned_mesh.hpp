@@ -23,10 +23,10 @@ namespace arcspan {
 ///
 ///     p = sum of w_k * (M_k v)
 ///
-/// with the weights w_k in 1024ths: within 1/8 of an object unit, then rounded to a whole one and saturated
-/// at 16 bits. It wraps where a joint alone would take the vertex farther than JointMatrix::kFarthest. The
-/// normal is the sum of w_k * (M_k n), scaled to unit length; a sum of 0 gives +z. It is wrong where joints
-/// scale by 16 or more. Every core computes the same bits.
+/// with the rounded matrices M_k and the weights w_k in 1024ths: within 1/8 of an object unit, then rounded
+/// to a whole one and saturated at 16 bits. It wraps where a joint alone would take the vertex farther than
+/// JointMatrix::kFarthest. The normal is the sum of w_k * (M_k n), scaled to unit length; a sum of 0 gives
+/// +z. It is wrong where joints scale by 16 or more. Every core computes the same bits.
 ///
 /// Rest is the mesh as it is before the joints move it: a MeshView, or a MorphedMesh.
 template <class Rest>

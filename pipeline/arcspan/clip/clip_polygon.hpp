@@ -103,6 +103,7 @@ ARCSPAN_OUTLINE ARCSPAN_COLD constexpr void cut(const ClipVertex<Method>& inside
 
 template <class Method>
 constexpr void ClipPolygon<Method>::clip(ClipOutcode plane, const WRange& w_range) {
+  if (count_ == 0) return;  // the first vertex may be unset then
   const ClipVertex<Method> begin = vertices_[first_];
   std::size_t read = first_;
   std::size_t write = wrapped(first_ + count_);

@@ -50,7 +50,7 @@ struct OctahedralPoint {
 };
 
 /// The point of a packed normal on the octahedron |x| + |y| + |z| = kOctahedralOne, or with `Down` bits less.
-/// The sum is up to 4 more where u or v is -32768, which pack_normal() never writes.
+/// The sum is up to 4 more where u or v is -32768, which pack_normal() never writes, or rounded down to it.
 template <int Down = 0>
 [[nodiscard]] ARCSPAN_INLINE constexpr OctahedralPoint octahedral_point(PackedNormal packed) {
   const auto with_sign = [](std::int32_t size, std::int32_t sign) { return (size ^ sign) - sign; };

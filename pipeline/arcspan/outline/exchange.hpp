@@ -16,8 +16,6 @@ namespace arcspan::detail {
 
 [[nodiscard]] constexpr std::int32_t magnitude_of(std::int32_t v) { return v < 0 ? -v : v; }
 [[nodiscard]] constexpr RasterPosition exchanged(const RasterPosition& p) { return {p.y, p.x, p.z}; }
-[[nodiscard]] constexpr RasterOrigin exchanged(const RasterOrigin& o) { return {o.y, o.x}; }
-[[nodiscard]] constexpr Rect exchanged(const Rect& r) { return {r.top, r.left, r.bottom, r.right}; }
 
 /// A rectangle of the picture relative to the raster origin.
 [[nodiscard]] constexpr Rect relative_to(const RasterOrigin& o, const Rect& r) {

@@ -74,7 +74,7 @@ bool view_sphere(std::int64_t radius, const ClipTransform& transform, SphereView
 /// that sums have 32.
 bool is_before_far(const MeshView& mesh, const ClipTransform& transform) {
   constexpr int kDropped = 15;
-  constexpr std::int64_t kError = 3 << (15 + kDropped - kEntryBits);
+  constexpr std::int64_t kError = std::int64_t{3} << (15 + kDropped - kEntryBits);
   const auto entry = [&](std::size_t j) {
     return static_cast<std::int32_t>(transform.entry(2, j) >> kDropped);
   };

@@ -20,8 +20,8 @@ class BackFaces {
   /// Not known(): every triangle may be a front face.
   constexpr BackFaces() = default;
   /// Not known() if the mesh has no planes, or its sphere (PlaneScale::radius around the object's origin) is
-  /// not wholly in front of the near plane and within the guard band, or a vertex is beyond the far plane, or
-  /// the object is so small on the screen that snapping may turn over every triangle.
+  /// not wholly in front of the near plane and within the guard band, or a vertex is beyond the far plane or
+  /// close before it, or the object is so small on the screen that snapping may turn over every triangle.
   BackFaces(const MeshView& mesh, const ClipTransform& transform);
 
   /// True if back faces can be found. Then all vertices are inside the clip volume (ClipOutcode kInside).

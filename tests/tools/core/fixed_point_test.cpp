@@ -138,6 +138,14 @@ TEST_CASE("a camera sees right-handed: x to the right, y up, nearer is larger") 
   CHECK(camera.to_eye == Direction{DirectionComponent{}, DirectionComponent{}, DirectionComponent::of(1.0)});
 }
 
+TEST_CASE("an eye as far away as allowed has the whole mesh between its planes") {
+  const FixedMesh mesh = sphere();
+  const FixedCamera camera = to_fixed(Camera{{0, 0, 127.9}, {}, {0, 1, 0}, 2}, mesh, {64, 64});
+  for (const ObjectPosition& p : mesh.positions) {
+    REQUIRE(outcode(camera.transform(p), camera.transform.w_range()) == kInside);
+  }
+}
+
 TEST_CASE("cameras that see nothing sensible are refused or put right") {
   const FixedMesh mesh = sphere();
   const Size size{64, 64};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
+#include <arcspan_tools/mesh/plain/model.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/temporary_folder.hpp>
@@ -83,6 +84,11 @@ TEST_CASE("the limits of a mesh are said") {
     vertices.triangles.push_back(triangle({0.0, 0, 1.0 * i}, {1, 0, 1.0 * i}, {0, 1, 1.0 * i}));
   }
   CHECK(message_of<Failure>([&] { (void)weld(vertices, "m"); }) ==
+        "m: too many vertices (more than 65536, the limit)");
+  RawModel moving{vertices, {{}}, std::vector<std::uint32_t>(vertices.triangles.size())};
+  CHECK(weld_parts(moving, "m").vertex_count() == 66'000);
+  for (auto& corners : moving.mesh.triangles) corners[0].source = 0;
+  CHECK(message_of<Failure>([&] { (void)weld_parts(moving, "m"); }) ==
         "m: too many vertices (more than 65536, the limit)");
   RawMesh faces;
   faces.triangles.assign(kMaxTriangles + 1, triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));

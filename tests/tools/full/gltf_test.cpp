@@ -300,6 +300,13 @@ TEST_CASE("glTF: corners that make no whole triangle are said") {
   const Model model = loaded(gltf);
   CHECK(model.triangle_count() == 1);
   CHECK(model.warnings == Lines{"left out: incomplete triangles (1)"});
+  json fan = square();
+  fan["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"indices", 1}, {"mode", 6}});
+  CHECK(loaded(fan).warnings.empty());
+  fan["accessors"].push_back(fan["accessors"][1]);
+  fan["accessors"][3]["count"] = 2;
+  fan["meshes"][0]["primitives"][1]["indices"] = 3;
+  CHECK(loaded(fan).warnings == Lines{"left out: incomplete triangles (1)"});
 }
 
 TEST_CASE("glTF: a primitive without a material is white") {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <catch2/catch.hpp>
@@ -163,15 +164,25 @@ TEST_CASE("a mesh that is too large names the limit") {
   std::string many = kSquare;
   for (std::size_t i = 0; i <= kMaxTriangles; ++i) many += "f 1 2 3\n";
   CHECK(complaint("a.obj", many) == "too many triangles (more than 1048576, the limit)");
+}
+
+TEST_CASE("a part of many vertices becomes two meshes, but a single mesh has too many") {
   std::string vertices;
   std::string faces;
-  for (int i = 0; i < 66'000; ++i)
-    vertices += "v 0 " + std::to_string(i % 300) + " " + std::to_string(i) + "\n";
-  for (int i = 1; i < 65'999; i += 3) {
-    faces += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+  for (int i = 0; i < 66'000; ++i) {
+    vertices += "v 0 " + std::to_string(i % 300) + " " + std::to_string(i / 300) + "\n";
+    if (i < 65'700 && i % 300 != 299)
+      faces +=
+          "f " + std::to_string(i + 1) + " " + std::to_string(i + 2) + " " + std::to_string(i + 301) + "\n";
   }
-  faces += "f 65999 66000 1\nf 65998 66000 1\n";
-  CHECK_FALSE(complaint("a.obj", vertices + faces) == "(nothing was thrown)");
+  CHECK(complaint("a.obj", vertices + faces) == "too many vertices (more than 65536, the limit)");
+  const TemporaryFolder folder;
+  const Model model = load_model_file(folder.file("a.obj", vertices + faces));
+  REQUIRE(model.parts.size() == 1);
+  const FixedModel fixed = to_fixed(model);
+  REQUIRE(fixed.meshes.size() == 2);
+  CHECK(fixed.meshes[0].positions.size() + fixed.meshes[1].positions.size() >= 65'999);
+  CHECK(fixed.triangle_count() == model.triangle_count());
 }
 
 TEST_CASE("files that are not there or of no known kind") {

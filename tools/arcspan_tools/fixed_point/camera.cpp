@@ -121,9 +121,9 @@ DepthRange depths(const FixedMeshes& meshes, Vec3 eye, const Axes& axes) {
   return range;
 }
 
-ObjectLength object_length(double units) {
-  constexpr double kMost = 4'194'304;  // the pipeline takes 2^22 units
-  return to_fixed_point<ObjectLength>(std::clamp(units, -kMost, kMost)).value();
+/// The distance of a plane; an eye may be 2^22 units away.
+ObjectLength plane_length(double units) {
+  return to_fixed_point<ObjectLength>(std::min(units, 8'388'607.0)).value();
 }
 
 Placement placement_of(Vec3 eye, const Axes& axes, const FixedMeshes& meshes) {
@@ -166,7 +166,7 @@ FixedCamera to_fixed(const Camera& camera, const FixedMeshes& meshes, Size size)
   const double far_plane = std::max(depth.farthest, near_plane) * 1.02;
   const double focal = size.height / (2 * tangent_of_half(camera.fov_degrees));
   const Projection projection{to_fixed_point<PixelLength>(focal).value_or(PixelLength{}),
-                              object_length(near_plane), object_length(far_plane)};
+                              plane_length(near_plane), plane_length(far_plane)};
   FixedCamera fixed;
   fixed.to_eye = to_direction(backwards);
   fixed.placement = placement_of(camera.eye, axes, meshes);

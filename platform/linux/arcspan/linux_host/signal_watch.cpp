@@ -36,7 +36,8 @@ SignalWatch::SignalWatch() {
     if (handler_of(signal) != SIG_IGN) sigaddset(&watched_, signal);
   }
   // Handled, these do not end the program.
-  for (const int signal : {SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXFSZ, SIGPOLL, SIGPWR}) {
+  for (const int signal :
+       {SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXFSZ, SIGPOLL, SIGPWR, SIGSTKFLT}) {
     if (handler_of(signal) == SIG_DFL) sigaddset(&watched_, signal);
   }
   for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) {

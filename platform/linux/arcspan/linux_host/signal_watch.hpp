@@ -8,9 +8,9 @@ namespace arcspan::linux_host {
 
 /// Blocks the signals that would end the program from outside: SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE,
 /// SIGXCPU, and, unless the program handles them, SIGALRM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXFSZ,
-/// SIGPOLL, SIGPWR and the real-time ones. The program polls for them where it can stop and restore its
-/// devices. Ignored signals stay ignored. The destructor restores the signal mask. For programs with one
-/// thread.
+/// SIGPOLL, SIGPWR, SIGSTKFLT and the real-time ones, but not those of crashes, such as SIGABRT. The program
+/// polls for them where it can stop and restore its devices. Ignored signals stay ignored. The destructor
+/// restores the signal mask. For programs with one thread.
 class SignalWatch {
  public:
   SignalWatch();

@@ -11,8 +11,8 @@
 
 namespace arcspan::tools {
 
-/// Largest model file: a text file of kMaxTriangles triangles needs about a third of this.
-inline constexpr std::size_t kMostFileBytes = std::size_t{256} << 20;
+/// Largest model file: the longest text of kMaxTriangles triangles, of an STL file, needs half of this.
+inline constexpr std::size_t kMostFileBytes = std::size_t{512} << 20;
 
 enum class MeshFormat { kObj, kPly, kStl, kOff, kGltf, kCollada, kFbx, k3ds };
 

@@ -239,7 +239,8 @@ class GltfReader {
       for (std::size_t i = 0; i < vertices; ++i) corners.push_back(i);
     }
     primitive.indices = triangulated(corners, mode);
-    if (primitive.indices.size() % 3 != 0) left_out_.add("incomplete triangles");
+    const bool is_incomplete = mode == 4 ? corners.size() % 3 != 0 : corners.size() < 3;
+    if (is_incomplete && !corners.empty()) left_out_.add("incomplete triangles");
     return primitive;
   }
 

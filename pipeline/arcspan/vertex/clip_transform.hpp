@@ -208,8 +208,8 @@ class ClipTransform {
   Viewport viewport_{};
   ObjectPoint eye_{};
   PixelLength focal_{};
-  std::int16_t focal_bits_ = 0;
-  std::int16_t w_bits_ = 0;
+  signed char focal_bits_ = 0;
+  signed char w_bits_ = 0;
 };
 
 }  // namespace arcspan

@@ -208,8 +208,8 @@ class ClipTransform {
   Viewport viewport_{};
   ObjectPoint eye_{};
   PixelLength focal_{};
-  signed char focal_bits_ = 0;
-  signed char w_bits_ = 0;
+  short focal_bits_ = 0;
+  short w_bits_ = 0;
 };
 
 }  // namespace arcspan

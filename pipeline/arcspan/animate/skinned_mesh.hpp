@@ -23,10 +23,11 @@ namespace arcspan {
 ///
 ///     p = sum of w_k * (M_k v)
 ///
-/// with the rounded matrices M_k and the weights w_k in 1024ths: within 1/8 of an object unit, then rounded
-/// to a whole one and saturated at 16 bits. It wraps where a joint alone would take the vertex farther than
-/// JointMatrix::kFarthest. The normal is the sum of w_k * (M_k n), scaled to unit length; a sum of 0 gives
-/// +z. It is wrong where joints scale by 16 or more. Every core computes the same bits.
+/// with the rounded matrices M_k and the weights w_k in 1024ths. The sum is off by less than 1/8 of an object
+/// unit; it is rounded to a whole unit and saturated at 16 bits. The position is wrong, because sums wrap,
+/// where a joint alone would take the vertex farther than JointMatrix::kFarthest. The normal is the sum of
+/// w_k * (M_k n), scaled to unit length; a sum of 0 gives +z. The normal is wrong where joints scale by 16 or
+/// more. Every core computes the same bits.
 ///
 /// Rest is the mesh as it is before the joints move it: a MeshView, or a MorphedMesh.
 template <class Rest>
@@ -67,8 +68,8 @@ namespace detail {
 
 inline constexpr int kNormalDown = 15 - JointMatrix::kBits;
 
-/// A vector along the normal of vertex i, of at most unit length, with JointMatrix::kBits fraction bits: so
-/// many that joints may scale it.
+/// A vector along the normal of vertex i, of at most unit length. It has JointMatrix::kBits fraction bits,
+/// which leaves room in 32 bits for joints that scale it.
 [[nodiscard]] ARCSPAN_INLINE inline OctahedralPoint long_normal(const MeshView& mesh, std::size_t i) {
   return octahedral_point<kNormalDown>(mesh.normal(i));
 }

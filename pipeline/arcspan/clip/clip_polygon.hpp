@@ -17,14 +17,14 @@ struct ClipVertex {
   typename Method::Vertex shade;
 };
 
-/// A convex polygon, which begins as a triangle. Cut by six planes it has at most 9 vertices. They lie in a
-/// ring, so that those that a cut leaves are written over those that it has read.
+/// A convex polygon, at first a triangle. Each of six cuts adds a vertex at most. To save stack, a cut writes
+/// its result into the same array: the vertices lie in a ring, and the result begins behind the last one.
 template <class Method>
 class ClipPolygon {
  public:
   static constexpr std::size_t kCapacity = 9;
 
-  /// The triangle of three vertices, which are unset.
+  /// A triangle; its three vertices are to be set by operator[].
   constexpr ClipPolygon() = default;
 
   [[nodiscard]] constexpr std::size_t count() const { return count_; }
@@ -35,11 +35,12 @@ class ClipPolygon {
     return vertices_[wrapped(first_ + i)];
   }
 
-  /// Leaves what is inside of `plane`, by Sutherland and Hodgman's algorithm.
+  /// Cuts off what is outside of `plane`, one bit of ClipOutcode, by Sutherland and Hodgman's algorithm. Once
+  /// for each plane: there is room for six cuts.
   ARCSPAN_COLD constexpr void clip(ClipOutcode plane, const WRange& w_range);
 
  private:
-  /// One vertex is read at a time, and up to one more is written than was read.
+  /// While vertex i is read, i + 2 may have been written behind the old ones, but not over it.
   static constexpr std::size_t kSlots = kCapacity + 2;
   [[nodiscard]] static constexpr std::size_t wrapped(std::size_t slot) {
     return slot < kSlots ? slot : slot - kSlots;
@@ -103,7 +104,7 @@ ARCSPAN_OUTLINE ARCSPAN_COLD constexpr void cut(const ClipVertex<Method>& inside
 
 template <class Method>
 constexpr void ClipPolygon<Method>::clip(ClipOutcode plane, const WRange& w_range) {
-  if (count_ == 0) return;  // the first vertex may be unset then
+  if (count_ == 0) return;  // no first vertex to copy
   const ClipVertex<Method> begin = vertices_[first_];
   std::size_t read = first_;
   std::size_t write = wrapped(first_ + count_);
@@ -114,7 +115,8 @@ constexpr void ClipPolygon<Method>::clip(ClipOutcode plane, const WRange& w_rang
     const ClipVertex<Method>& next = i + 1 == count_ ? begin : vertices_[read];
     const std::int32_t d0 = detail::plane_distance(here.position, plane, w_range);
     const std::int32_t d1 = detail::plane_distance(next.position, plane, w_range);
-    // A convex polygon gains at most one vertex per plane, so there is no slot only for inconsistent input.
+    // A plane adds at most one vertex to a convex polygon. What rounding makes concave could gain more, for
+    // which there are no slots.
     if (d0 >= 0 && kept <= i + 1) {
       vertices_[write] = here;
       write = wrapped(write + 1);

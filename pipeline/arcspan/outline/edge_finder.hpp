@@ -18,9 +18,10 @@ namespace arcspan::detail {
   return side == TriangleSide::kFront || side == TriangleSide::kBack;
 }
 
-/// For the first byte of a triangle: how many numbers of neighbours follow, and kMarked if there is a border
-/// or a crease, or no number.
 inline constexpr std::uint8_t kMarked = 4;
+/// For the first byte of a triangle: how many distances follow it (0...3), and kMarked if the triangle needs
+/// a closer look where it is seen, because it has a border or a crease. kMarked also if no distance follows,
+/// so that EdgeFinder need not test for 0 before its loop.
 inline constexpr std::array<std::uint8_t, 64> kNumbersAfter = [] {
   std::array<std::uint8_t, 64> numbers{};
   for (unsigned kinds = 0; kinds < 64; ++kinds) {
@@ -34,13 +35,13 @@ inline constexpr std::array<std::uint8_t, 64> kNumbersAfter = [] {
   return numbers;
 }();
 
-/// What the edge between a triangle and one beyond it is, by the sides of both: kHidden, or the side that the
-/// first one shows or would show, which tells the way along the edge. At a silhouette the surface turns away:
-/// a front is seen, and the triangle beyond is hidden.
+/// The outline at the edge between triangle a, which stores the distance, and triangle b.
 struct EdgeSides {
+  /// kHidden: none. kFront: it leads along the edge in a's order of vertices; kBack: in the opposite one.
   TriangleSide side;
-  bool is_silhouette;
+  bool is_silhouette;  ///< one shows its front, the other is hidden: the surface turns away here
 };
+/// By 4 * (side of a) + (side of b). Other pairs, such as those with kCut, are no outline.
 inline constexpr std::array<EdgeSides, 16> kEdgeSides = [] {
   using enum TriangleSide;
   std::array<EdgeSides, 16> all{};
@@ -59,21 +60,23 @@ inline constexpr std::array<EdgeSides, 16> kEdgeSides = [] {
 }();
 
 /// Finds the outlines of one object, and calls edges.put(from, to, is_silhouette) for each: vertices in the
-/// order of OutlineEdge. A crease follows in the opposite direction.
+/// order of OutlineEdge. A crease has surface on both sides, so it is put twice, the second time with its
+/// ends exchanged.
 template <class Edges>
 class EdgeFinder {
  public:
   EdgeFinder(const MeshView& mesh, std::span<const TriangleSide> sides, Edges& edges)
       : mesh_(mesh), sides_(sides.data()), edges_(edges) {}
 
+  /// `at` is MeshNeighbours::bytes().
   void find(const std::uint8_t* at) {
     const TriangleSide* const end = sides_ + mesh_.triangle_count();
     for (const TriangleSide* side = sides_; side != end;) at = find_of_triangle(side, at);
   }
 
  private:
-  /// Goes to the next triangle, and returns its bytes. Most triangles have no outline: their neighbours show
-  /// the same side, and they are not marked, or not seen.
+  /// Goes to the next triangle, and returns its bytes. Most triangles have no outline: their later neighbours
+  /// show the same side, and they have no mark or are not seen.
   ARCSPAN_INLINE const std::uint8_t* find_of_triangle(const TriangleSide*& next_side,
                                                       const std::uint8_t* at) {
     const std::uint8_t* next = at + 1;

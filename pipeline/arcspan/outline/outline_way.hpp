@@ -15,10 +15,10 @@
 
 namespace arcspan::detail {
 
-/// The way from a pixel to a neighbour.
+/// A step from a pixel to a neighbour.
 struct OutlineStep {
-  std::int32_t depths;
-  std::uint32_t column_row;
+  std::int32_t depths;       ///< elements of the depth buffer
+  std::uint32_t column_row;  ///< what OutlinePixel::column_row changes by, modulo 2^32
 
   [[nodiscard]] ARCSPAN_INLINE constexpr OutlineStep times(std::int32_t n) const {
     return {depths * n, column_row * static_cast<std::uint32_t>(n)};
@@ -39,26 +39,27 @@ struct OutlinePixel {
   }
 };
 
-/// The columns or rows of a rectangle, relative to the origin.
+/// Columns or rows first ... end - 1 of a rectangle, relative to the raster origin.
 struct OutlineAxis {
   std::int32_t first;
   std::int32_t end;
   OutlineStep step;  ///< from one to the next
 };
 
-/// How edges are walked in a rectangle: from top to bottom, steep ones by rows, flat ones by columns. What is
-/// said of rows and columns here is true of columns and rows then.
+/// How edges are walked in a rectangle: from top to bottom, row by row. Flat edges are walked with x and y
+/// exchanged: for them read "row" as "column" and "left" as "above". In a gap between two pixels the inner
+/// pixel is on the surface, the outer one beside it.
 struct OutlineWay {
   OutlineAxis rows;
   OutlineAxis columns;
-  OutlinePixel first;   ///< in the first row, the pixel outside if an edge lies between the first two columns
-  OutlineStep outward;  ///< from the pixel inside to the one outside
-  std::int32_t side;    ///< on which side of the edge the surface is not: left (-1) or right (0)
-  GapPlace place;
-  bool exchanged;  ///< x and y are
+  OutlinePixel first;   ///< of the first two pixels of the first row, the outer one
+  OutlineStep outward;  ///< from the inner pixel to the outer one
+  std::int32_t side;    ///< -1 if the outer pixel is left of the edge, 0 if it is right
+  GapPlace place;       ///< of the inner pixel, as seen from the outer one
+  bool exchanged;       ///< the edge is flat
 };
 
-/// A rectangle of the picture, which is not empty, in which edges are walked.
+/// The part of the picture in which edges are walked; not empty.
 class OutlineRect {
  public:
   OutlineRect(const Scissor& scissor, const DepthBuffer& depth) {
@@ -73,7 +74,7 @@ class OutlineRect {
     for (std::int32_t i = 0; i < 4; ++i) {
       OutlineWay& way = ways_[i];
       const std::int32_t place = i ^ (i >> 1);
-      const std::int32_t outside = place & 1;  // is right of the edge
+      const std::int32_t outside = place & 1;  // the outer pixel is right of the edge, or below
       way.rows = axes[i >> 1];
       way.columns = axes[1 - (i >> 1)];
       way.first = first;
@@ -88,7 +89,7 @@ class OutlineRect {
   [[nodiscard]] const OutlineAxis& rows() const { return ways_[0].rows; }
   [[nodiscard]] const OutlineAxis& columns() const { return ways_[0].columns; }
 
-  /// The way along an edge. Puts its ends in order, and exchanges their x and y if it is walked so.
+  /// The way of an edge. Exchanges x and y of its ends if it is flat, then the ends if `bottom` is above.
   ARCSPAN_INLINE const OutlineWay& way_along(RasterPosition& top, RasterPosition& bottom) const {
     const OutlineWay* way = ways_;
     if (magnitude_of(bottom.y - top.y) < magnitude_of(bottom.x - top.x)) {
@@ -104,7 +105,7 @@ class OutlineRect {
   }
 
  private:
-  OutlineWay ways_[4];  ///< down and up, to the right and to the left
+  OutlineWay ways_[4];  ///< of edges that lead down, up, to the right, to the left
 };
 
 }  // namespace arcspan::detail

@@ -70,8 +70,8 @@ bool view_sphere(std::int64_t radius, const ClipTransform& transform, SphereView
   return true;
 }
 
-/// True if all vertices are before the far plane by more than the error of entries that have 14 bits here, so
-/// that sums have 32.
+/// True if all vertices are certainly before the far plane. Entries of the matrix lose kDropped bits, so that
+/// sums of 32 bits suffice; kError is the most that w changes by that.
 bool is_before_far(const MeshView& mesh, const ClipTransform& transform) {
   constexpr int kDropped = 15;
   constexpr std::int64_t kError = std::int64_t{3} << (15 + kDropped - kEntryBits);
@@ -117,7 +117,8 @@ BackFaces::BackFaces(const MeshView& mesh, const ClipTransform& transform) {
   const std::int64_t away = sum_of_magnitudes(transform.eye());
   SphereView view{};
   if (mesh.planes() == nullptr || away > kFarthest || !view_sphere(scale.radius, transform, view)) return;
-  // Far planes are often put right behind an object, so that its sphere reaches beyond.
+  // A far plane close behind an object cuts the sphere, but no vertex. Looking at all vertices costs less
+  // than drawing without planes.
   if (view.may_pass_far && !is_before_far(mesh, transform)) return;
   const std::int64_t margin = snapping_margin(view, transform.focal());
   if (margin >= kTooMuch) return;

@@ -92,7 +92,8 @@ struct ClipPosition {
   std::int32_t w;
 };
 
-/// w of the near plane and of the far plane, 1...2^30.
+/// The values of w between the near and the far plane, both ends included; 1...2^30. The farthest is rounded
+/// up.
 struct WRange {
   std::int32_t nearest = 1;
   std::int32_t farthest = 1;
@@ -151,7 +152,7 @@ class ClipTransform {
     return {row(0), row(1), row(2)};
   }
 
-  /// What the near and the far plane leave.
+  /// w of points that the near and the far plane do not cut off.
   [[nodiscard]] constexpr const WRange& w_range() const { return w_range_; }
   /// w of the near plane.
   [[nodiscard]] constexpr std::int32_t near_w() const { return w_range_.nearest; }

@@ -17,7 +17,7 @@ struct ScreenPoint {
   Subpixel x{};
   Subpixel y{};
   std::uint16_t depth = 0;  ///< as a DepthBuffer has it, nearer is smaller; 0 unless `in_front`
-  bool in_front = false;    ///< at least as far away as the near plane
+  bool in_front = false;    ///< at least as far away as the near plane; perhaps beyond the far plane
   bool in_picture = false;  ///< in front, and in a pixel of the picture
 
   /// The pixel that contains the point.

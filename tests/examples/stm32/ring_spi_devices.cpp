@@ -41,7 +41,7 @@ uint32_t HAL_GetTick() {
   pass(kCall);
   return static_cast<uint32_t>(now / kMillisecond);
 }
-// As in stm32f4xx_hal.c: one more, so that no delay is too short.
+// HAL_Delay() of stm32f4xx_hal.c waits for one tick more, so that no delay is too short.
 void HAL_Delay(uint32_t delay) {
   for (const uint32_t begin = HAL_GetTick(); HAL_GetTick() - begin < delay + 1;) {
   }

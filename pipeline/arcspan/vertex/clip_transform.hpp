@@ -51,13 +51,15 @@ struct WholeEntry {
 };
 
 /// The same as high * 2^14 + low: `high` has 15 bits with the sign and `low` 14, so that sums of three
-/// products with 16-bit positions fit 32 bits.
+/// products with 16-bit positions fit 32 bits. On cores with registers of 8 bits it is half as large.
 struct SplitEntry {
-  std::int32_t high;
-  std::int32_t low;
+  std::int_fast16_t high;
+  std::int_fast16_t low;
 
   SplitEntry() = default;
-  constexpr explicit SplitEntry(std::int32_t entry) : high(entry >> 14), low(entry & 0x3FFF) {}
+  constexpr explicit SplitEntry(std::int32_t entry)
+      : high(static_cast<std::int_fast16_t>(entry >> 14)),
+        low(static_cast<std::int_fast16_t>(entry & 0x3FFF)) {}
   [[nodiscard]] constexpr std::int64_t value() const { return std::int64_t{high} * (1 << 14) + low; }
   friend constexpr bool operator==(const SplitEntry&, const SplitEntry&) = default;
 };
@@ -75,9 +77,12 @@ using MatrixEntry = std::conditional_t<kHasLongSums, WholeEntry, SplitEntry>;
                                    32);
 }
 [[nodiscard]] constexpr std::int32_t scaled_sum(const SplitEntry (&row)[3], ObjectPosition p) {
+  const auto product = [](std::int_fast16_t half, std::int32_t coordinate) {
+    return wrap_mul(static_cast<std::int32_t>(half), coordinate);
+  };
   const std::int32_t high =
-      wrap_add(wrap_add(wrap_mul(row[0].high, p.x), wrap_mul(row[1].high, p.y)), wrap_mul(row[2].high, p.z));
-  const std::int32_t low = row[0].low * p.x + row[1].low * p.y + row[2].low * p.z;
+      wrap_add(wrap_add(product(row[0].high, p.x), product(row[1].high, p.y)), product(row[2].high, p.z));
+  const std::int32_t low = product(row[0].low, p.x) + product(row[1].low, p.y) + product(row[2].low, p.z);
   return wrap_add(high, low >> 14);
 }
 
@@ -204,13 +209,13 @@ class ClipTransform {
   std::int32_t offset_[3] = {};
   WRange w_range_{};
   std::int32_t depth_range_ = 0;  ///< times 2^-(depth_shift_ - 3)
-  std::int32_t depth_shift_ = 0;
   std::int32_t rounding_[2] = {};
   Viewport viewport_{};
   ObjectPoint eye_{};
   PixelLength focal_{};
-  short focal_bits_ = 0;
-  short w_bits_ = 0;
+  short depth_shift_ = 0;
+  signed char focal_bits_ = 0;
+  signed char w_bits_ = 0;
 };
 
 }  // namespace arcspan

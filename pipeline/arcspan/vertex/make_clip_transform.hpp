@@ -92,7 +92,7 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
       static_cast<std::uint32_t>(depth_range < kMaxDepthRange ? depth_range : kMaxDepthRange);
   const int shift = std::countl_zero(range32) - 1;
   transform.depth_range_ = static_cast<std::int32_t>(range32 << shift);
-  transform.depth_shift_ = shift - 3;
+  transform.depth_shift_ = static_cast<short>(shift - 3);
   transform.viewport_ = viewport;
   // The middle of a picture of odd size is the centre of its middle pixel, half a pixel from the raster
   // origin.
@@ -106,7 +106,7 @@ constexpr Status ClipTransform::make(const Placement& placement, const Projectio
 
 constexpr void ClipTransform::set_placement(const WidePlacement& placement) {
   const int bits = detail::scale_bits(placement);
-  w_bits_ = static_cast<short>(bits - placement.unit_bits);
+  w_bits_ = static_cast<signed char>(bits - placement.unit_bits);
   // Rows x and y contain the factor focal / kGuardBand. Rows y and w are negative, because y points down on
   // the screen and the camera looks along -z.
   for (std::size_t i = 0; i < 3; ++i) {
@@ -132,7 +132,7 @@ constexpr void ClipTransform::set_placement(const WidePlacement& placement) {
   w_range_ = {w_of(placement.near_plane), w_of(placement.far_plane) + 1};
   eye_ = placement.unit_bits <= 0 ? detail::eye_of(placement) : ObjectPoint{std::int32_t{1} << 23, 0, 0};
   focal_ = PixelLength::from_raw(placement.focal);
-  focal_bits_ = static_cast<short>(placement.focal_bits);
+  focal_bits_ = static_cast<signed char>(placement.focal_bits);
 }
 
 namespace detail {

@@ -5,26 +5,10 @@
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/target.hpp>
 
-#include <concepts>
 #include <cstdint>
 
 /// Arithmetic with all channels of a 5-6-5 pixel in one word.
 namespace arcspan::detail {
-
-/// Whether word565() of a format gives red, green and blue their places.
-template <class F>
-inline constexpr bool kIs565 =
-    F::encode(Rgb8{255, 0, 0}) == F::word565(0xF800) && F::encode(Rgb8{0, 255, 0}) == F::word565(0x07E0) &&
-    F::encode(Rgb8{0, 0, 255}) == F::word565(0x001F);
-
-/// A format whose pixels are words rrrrrggg gggbbbbb, perhaps with their bytes exchanged. word565() gives the
-/// word of a pixel, for blending, and is its own inverse. A format that is derived from one of them and has
-/// other bits is none.
-template <class F>
-concept Rgb565Words = requires(std::uint16_t v) {
-  { F::word565(v) } -> std::same_as<std::uint16_t>;
-  requires kIs565<F>;
-};
 
 /// A 5-6-5 pixel spread over a word: g in bits 26...21, r in 15...11, b in 4...0. Each channel then has five
 /// fraction bits below it, or a bit for a carry above it.

@@ -3,7 +3,6 @@
 
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
-#include <arcspan/pixel/spread_rgb565.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>

@@ -123,8 +123,8 @@ void draw_curves(Memory& memory, std::size_t place, const ObjectLights& lights, 
                  const Depth& depth, const CurvedOutlines& curves, SceneResult& result) {
   const SceneFrame frame = memory.frame();
   SceneSlot& slot = frame.slots[frame.order[place]];
-  const std::size_t first = place == 0 ? 0 : frame.slots[frame.order[place - 1]].depth_or_curves;
-  const MeshView mesh = curves.mesh(first, slot.depth_or_curves);
+  const std::size_t first = place == 0 ? 0 : frame.slots[frame.order[place - 1]].end_of_curves;
+  const MeshView mesh = curves.mesh(first, slot.end_of_curves);
   if (mesh.triangle_count() == 0 || slot.object->part_count() != 1 || !ok(result.status)) return;
   const DrawResult drawn = draw_part<PartVertices::kOfCurves>(
       typename Memory::UseList{},
@@ -233,7 +233,7 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
     detail::SceneSlot& slot = frame.slots[frame.order[i]];
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const Status status = detail::add_outlines<Memory>(slot, frame.header.keeps_vertices, outlines);
-    if constexpr (kCurved) slot.depth_or_curves = static_cast<std::uint16_t>(outlines.curves.count());
+    if constexpr (kCurved) slot.end_of_curves = static_cast<std::uint16_t>(outlines.curves.count());
     if (ok(first)) first = status;
   }
   return first;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/scene/scene_frame.hpp>
-#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <tuple>
 
@@ -37,10 +36,12 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
   return is_beyond(sphere, extent, 2 * begin - size - 1, -1) || is_beyond(sphere, extent, 2 * end - size, 1);
 }
 
-/// The depth of a sphere's middle, that of the near plane if it is before that.
-[[nodiscard]] std::uint16_t depth_of(const ClipSphere& sphere, const ClipTransform& transform) {
-  const std::int32_t w = sphere.middle.w;
-  return project({0, 0, w < transform.near_w() ? transform.near_w() : w}, transform).z;
+/// True if the middle of the sphere of `a` is farther away than that of `b`. Their w have different scales,
+/// so both are compared in units of the near plane. Depths would be equal beyond the far plane, before the
+/// near one, and where a step of depth is long.
+[[nodiscard]] bool is_farther(const SceneSlot& a, const SceneSlot& b) {
+  return std::int64_t{a.sphere.middle.w} * b.transform.near_w() >
+         std::int64_t{b.sphere.middle.w} * a.transform.near_w();
 }
 
 [[nodiscard]] Status check_lights(const LightList& lights) {
@@ -91,7 +92,7 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
 /// Inserts the last slot into the order, behind those that are as near.
 void insert_into_order(const SceneFrame& frame, std::size_t last) {
   std::size_t i = last;
-  for (; i > 0 && frame.slots[frame.order[i - 1]].depth_or_curves > frame.slots[last].depth_or_curves; --i) {
+  for (; i > 0 && is_farther(frame.slots[frame.order[i - 1]], frame.slots[last]); --i) {
     frame.order[i] = frame.order[i - 1];
   }
   frame.order[i] = static_cast<std::uint16_t>(last);
@@ -102,7 +103,6 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
   if (!camera.place(object.position, object.rotation, object.scale, slot.transform)) return false;
   slot.object = &object;
   slot.sphere = clip_sphere(slot.transform, object.sphere());
-  slot.depth_or_curves = depth_of(slot.sphere, slot.transform);
   const Viewport& viewport = camera.viewport();
   return !is_outside(slot, {0, 0, viewport.width, viewport.height});
 }

@@ -220,6 +220,28 @@ TEST_CASE("the nearest object is drawn first with depth, the farthest without") 
   CHECK(with.pixels == without.pixels);
 }
 
+TEST_CASE("objects are ordered where steps of depth do not tell them apart") {
+  // Middles beyond the far plane at 100, before the near one at 0.5, and farther than half the far plane, of
+  // objects of different scale.
+  for (const double nearest : {100.5, -6.0, 60.0}) {
+    const double apart = nearest == 60.0 ? 0.05 : 2;
+    for (const bool listed_first : {false, true}) {
+      std::vector<Object> objects;
+      for (const bool far : {listed_first, !listed_first}) {
+        objects.emplace_back(kBallView, kRed);
+        objects.back().position = to_point({0, 0, -nearest - (far ? apart : 0.0)});
+        objects.back().scale = to_world(far ? 8 : 12);
+      }
+      const Camera camera = looking({0, 0, 0}, {0, 0, -1});
+      REQUIRE(ok(prepare_scene({camera, kLights, objects}, memory_of_scene)));
+      const detail::SceneFrame frame = memory_of_scene.frame();
+      REQUIRE(frame.header.in_view == 2);
+      CAPTURE(nearest, listed_first);
+      CHECK(frame.slots[frame.order[0]].object == &objects[listed_first ? 1 : 0]);
+    }
+  }
+}
+
 TEST_CASE("invisible objects and objects behind the camera are not drawn") {
   std::vector<Object> objects(3, Object(kBallView, kRed));
   objects[0].visible = false;

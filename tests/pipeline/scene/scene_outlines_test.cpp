@@ -294,8 +294,8 @@ TEST_CASE("curves are drawn with the objects of a scene as objects of their own 
     views.reserve(objects.objects.size());
     std::size_t first = 0;
     for (const detail::SceneSlot* slot : slots_of(own_vertices)) {
-      views.push_back(curves.mesh(first, slot->depth_or_curves));
-      first = slot->depth_or_curves;
+      views.push_back(curves.mesh(first, slot->end_of_curves));
+      first = slot->end_of_curves;
       const Object& object = *slot->object;
       if (object.part_count() != 1) CHECK(views.back().triangle_count() == 0);
       if (views.back().triangle_count() == 0) continue;

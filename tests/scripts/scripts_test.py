@@ -57,5 +57,16 @@ class Scripts(unittest.TestCase):
             spaced.symlink_to(SCRIPTS.parent)
             self.assertEqual(dict(house_size.headers(spaced)), dict(house_size.headers(SCRIPTS.parent)))
 
+    def test_a_tree_below_a_folder_called_scene_is_counted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            top = pathlib.Path(folder) / "scene"
+            top.mkdir()
+            (top / "arcspan").symlink_to(SCRIPTS.parent)
+            subprocess.run(["cmake", "-S", top / "arcspan", "-B", top / "build", "-DARCSPAN_TESTS=OFF"], check=True,
+                           stdout=subprocess.DEVNULL)
+            sources = (top / "build/tools/counted/pipeline.cpp").read_text()
+            self.assertIn("/vertex/back_faces.cpp", sources)
+            self.assertNotIn("/scene/scene_frame.cpp", sources)
+
 
 unittest.main()

@@ -57,6 +57,16 @@ class Scripts(unittest.TestCase):
             spaced.symlink_to(SCRIPTS.parent)
             self.assertEqual(dict(house_size.headers(spaced)), dict(house_size.headers(SCRIPTS.parent)))
 
+    def test_a_tree_below_a_folder_called_sim_is_checked(self):
+        check_objects = load("check-objects")
+        check_objects.Object = lambda path, prefix: path
+        with tempfile.TemporaryDirectory() as folder:
+            tree = pathlib.Path(folder) / "sim/build"
+            for name in ("hal/panel.o", "hal/sim/model.o"):
+                (tree / name).parent.mkdir(parents=True, exist_ok=True)
+                (tree / name).touch()
+            self.assertEqual(check_objects.objects_of(tree, "hal/**/*", ""), [tree / "hal/panel.o"])
+
     def test_a_tree_below_a_folder_called_scene_is_counted(self):
         with tempfile.TemporaryDirectory() as folder:
             top = pathlib.Path(folder) / "scene"

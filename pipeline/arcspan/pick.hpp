@@ -29,9 +29,9 @@ struct PickList<MethodList<Used...>> {
 ///
 /// Nothing is shaded, so the time does not depend on materials: textures and operations do not make a pixel
 /// transparent, and where a textured or a clipped triangle of up to 15x15 pixels is less than 8 steps of
-/// depth from another surface, either may be picked. Objects whose bounding spheres miss the pixel are
-/// skipped. Of the triangles of the others, only those around the pixel are transformed; all of them are if
-/// `memory` lists a Posed.
+/// depth from another surface, or thinner than a pixel, either surface may be picked. Objects whose bounding
+/// spheres miss the pixel are skipped. Of the triangles of the others, only those around the pixel are
+/// transformed; all of them are if `memory` lists a Posed.
 ///
 /// It needs no picture and no depths. The memory in which draw calls make a material (SceneMemory) holds a
 /// byte for each vertex meanwhile; for a mesh with more vertices, triangles take twice as long.

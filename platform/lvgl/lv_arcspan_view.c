@@ -191,11 +191,13 @@ static void prepare(lv_arcspan_view_t* view) {
   lv_arcspan_view_drop(view, view->status);
 }
 
-/* An event of the display before any view prepares its frame. Another view may show the object that this view
- * turns, and layouts may change sizes. */
+/* Events of the display before any view prepares its frame: layouts may change sizes, and another view may
+ * show the object that this view turns. Events of a layout may delete the view, so it has a callback of its
+ * own. */
+static void lay_out(lv_event_t* e) { lv_obj_update_layout(lv_event_get_user_data(e)); }
+
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
-  lv_obj_update_layout(&view->obj);
   if (view->changed && view->scene != NULL) view->turn_status = turn_object(view);
 }
 
@@ -382,6 +384,7 @@ static void constructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   view->shown = (lv_area_t){0, 0, -1, -1};
   lv_obj_set_scrollable(obj, false);
   lv_display_t* const display = lv_obj_get_display(obj);
+  lv_display_add_event_cb(display, lay_out, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
   lv_display_add_event_cb(display, before_refresh, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
   lv_display_add_event_cb(display, on_refresh_start, LV_EVENT_REFR_START, view);
   lv_display_add_event_cb(display, on_refresh_end, LV_EVENT_REFR_READY, view);
@@ -392,6 +395,7 @@ static void destructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   /* Of all displays, because its parent may have changed. */
   for (lv_display_t* display = lv_display_get_next(NULL); display != NULL;
        display = lv_display_get_next(display)) {
+    lv_display_remove_event_cb_with_user_data(display, lay_out, obj);
     lv_display_remove_event_cb_with_user_data(display, before_refresh, obj);
     lv_display_remove_event_cb_with_user_data(display, on_refresh_start, obj);
     lv_display_remove_event_cb_with_user_data(display, on_refresh_end, obj);

@@ -496,6 +496,23 @@ TEST_CASE("a view that a layout resizes has its new size in the next refresh") {
   CHECK((screen.pixels == resized));
 }
 
+TEST_CASE("a view that is deleted when a layout changes a size is not used any more") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const parent = lv_obj_create(lv_screen_active());
+  lv_obj_set_parent(make_view(balls), parent);
+  lv_obj_t* const other = make_view(balls);
+  screen.refresh();
+  const auto clean = [](lv_event_t* e) { lv_obj_clean(lv_event_get_target_obj(e)); };
+  lv_obj_add_event_cb(parent, clean, LV_EVENT_SIZE_CHANGED, nullptr);
+  lv_obj_set_width(parent, 60);
+  screen.refresh();
+  CHECK(lv_obj_get_child_count(parent) == 0);
+  CHECK(lv_arcspan_view_get_status(other) == ARCSPAN_OK);
+  const auto pixels = screen.pixels;
+  CHECK((screen.redrawn() == pixels));
+}
+
 #if LV_USE_SNAPSHOT
 std::vector<std::uint8_t> snapshot_of(lv_obj_t* view) {
   lv_draw_buf_t* const picture = lv_snapshot_take(view, LV_COLOR_FORMAT_ARGB8888);

@@ -312,7 +312,7 @@ static void draw_main(lv_event_t* e) {
   }
   lv_area_t area;
   if (!drawn_area(view, &area) || !lv_area_intersect(&area, &area, &layer->_clip_area)) return;
-  const lv_opa_t opa = lv_obj_get_style_opa_recursive(&view->obj, LV_PART_MAIN);
+  const lv_opa_t opa = layer->opa; /* of the view and its parents, but not of those above a snapshot */
   if (opa <= LV_OPA_MIN) return;
   lv_area_t corners;
   const int32_t radius = corner_radius(&view->obj, &corners);

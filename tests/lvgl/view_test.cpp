@@ -536,6 +536,17 @@ TEST_CASE("a snapshot shows a view as it is now, and so does the next refresh") 
   CHECK((screen.redrawn() == pixels));
 }
 
+TEST_CASE("a snapshot is as opaque as LVGL draws it, whatever holds the view") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  const auto picture = snapshot_of(view);
+  lv_obj_set_style_opa(lv_screen_active(), LV_OPA_50, 0);
+  SECTION("with an opacity of its own, too") { lv_obj_set_style_opa(view, LV_OPA_50, 0); }
+  CHECK((snapshot_of(view) == picture));
+}
+
 TEST_CASE("a hidden view forgets a scene that was taken away") {
   Screen screen;
   auto balls = std::make_unique<BallScene>();

@@ -198,7 +198,9 @@ static void lay_out(lv_event_t* e) { lv_obj_update_layout(lv_event_get_user_data
 
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
-  if (view->changed && view->scene != NULL) view->turn_status = turn_object(view);
+  /* A hidden view leaves the object to the visible one, as of another tab. */
+  if (!view->changed || view->scene == NULL || !lv_obj_is_visible(&view->obj)) return;
+  view->turn_status = turn_object(view);
 }
 
 /* Of the display, before it finds out what to draw. */

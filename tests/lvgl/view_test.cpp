@@ -464,6 +464,21 @@ TEST_CASE(
   CHECK((screen.pixels == once));
 }
 
+TEST_CASE("a hidden view does not turn the object that another one turns") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  lv_obj_t* const hidden = make_view(balls);
+  lv_obj_set_hidden(hidden, true);
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.5));
+  screen.refresh();
+  const auto pixels = screen.pixels;
+  lv_obj_delete(hidden);
+  lv_arcspan_view_update(view);
+  screen.refresh();
+  CHECK((screen.pixels == pixels));
+}
+
 TEST_CASE("the view of a widget is there to pick in, from the first frame on") {
   Screen screen;
   BallScene balls;

@@ -4,12 +4,14 @@
 #include <tests/support/neighbours.hpp>
 
 #include <cstdlib>
+#include <mutex>
 #include <set>
 
 namespace {
 std::size_t least_failing = 0;
 std::size_t end_of_failing = 0;
 std::set<std::size_t> allocated;
+std::mutex allocated_mutex;  // LVGL's threads allocate, too
 bool fails(std::size_t bytes) {
   return least_failing != 0 && bytes >= least_failing && bytes < end_of_failing;
 }
@@ -23,7 +25,10 @@ lv_mem_pool_t lv_mem_add_pool(void*, size_t) { return nullptr; }
 void lv_mem_remove_pool(lv_mem_pool_t) {}
 void* lv_malloc_core(size_t bytes) {
   if (fails(bytes)) return nullptr;
-  allocated.insert(bytes);
+  {
+    const std::lock_guard lock(allocated_mutex);
+    allocated.insert(bytes);
+  }
   return std::malloc(bytes);
 }
 void* lv_realloc_core(void* at, size_t bytes) { return fails(bytes) ? nullptr : std::realloc(at, bytes); }

@@ -4,6 +4,7 @@
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/outline/ink_pixels.hpp>
 #include <arcspan/outline/ink_walk.hpp>
+#include <arcspan/outline/outline_depth.hpp>
 #include <arcspan/outline/outline_gap.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/outline/outline_way.hpp>
@@ -45,24 +46,12 @@ class OutlineInker {
     if (is_outside(way, top, bottom)) return;
     InkWalk walk(top, bottom, {way.rows.first, way.rows.end}, way.exchanged, way.side, width_);
     if (walk.done()) return;
-    const auto columns = static_cast<std::uint32_t>(way.columns.end - way.columns.first);
-    const OutlineStep outward = way.outward;
-    const std::int32_t sign = 2 * way.side + 1;
+    begin(edge, way);
     OutlinePixel row = way.first;
     row += way.rows.step.times(walk.row() - way.rows.first);
     for (; !walk.done(); walk.next(), row += way.rows.step) {
-      std::int32_t reach = walk.reach() + kHalfShare;
-      if (reach < 2 * kHalfShare) continue;
-      auto column = static_cast<std::uint32_t>(walk.column() + way.side - way.columns.first);
-      const std::uint16_t z = walk.depth();
-      OutlinePixel at = row;
-      at += way.columns.step.times(walk.column() - way.columns.first - 1);
-      do {
-        if (column < columns && pixels_.is_free(at, z)) pixels_.put(at, share_of(reach));
-        column += static_cast<std::uint32_t>(sign);
-        at += outward;
-        reach -= 65536;
-      } while (reach >= 2 * kHalfShare);
+      const std::int32_t reach = walk.reach() + kHalfShare;
+      if (reach >= 2 * kHalfShare) ink_row(row, walk.column() - way.columns.first, reach, walk.row());
     }
   }
   /// Inks both sides of an edge, half a pixel of each.
@@ -70,7 +59,9 @@ class OutlineInker {
     RasterPosition top = edge.from;
     RasterPosition bottom = edge.to;
     const OutlineWay& way = rect_.way_along(top, bottom);
-    if (!is_outside(way, top, bottom)) ink_middle(way, top, bottom);
+    if (is_outside(way, top, bottom)) return;
+    begin(edge, way);
+    ink_middle(top, bottom);
   }
 
  private:
@@ -80,9 +71,36 @@ class OutlineInker {
     return reach >= 65536 ? Pixels::kWhole : static_cast<std::uint32_t>(reach) / (2 * kHalfShare);
   }
 
+  void begin(const OutlineEdge& edge, const OutlineWay& way) {
+    way_ = &way;
+    depth_.begin(edge, way.exchanged);
+  }
+
+  /// Inks a row outward from the edge as far as `reach`, as share_of() has it. `at` is the outer one of the
+  /// first two pixels of the row; `column` is that of the walk, from there.
+  ARCSPAN_INLINE void ink_row(OutlinePixel at, std::int32_t column, std::int32_t reach, std::int32_t row) {
+    const OutlineWay& way = *way_;
+    const OutlineStep outward = way.outward;
+    const std::int32_t sign = 2 * way.side + 1;
+    const auto columns = static_cast<std::uint32_t>(way.columns.end - way.columns.first);
+    at += way.columns.step.times(column - 1);
+    auto outer = static_cast<std::uint32_t>(column + way.side);
+    do {
+      if (outer < columns && is_free(at, row)) pixels_.put(at, share_of(reach));
+      outer += static_cast<std::uint32_t>(sign);
+      at += outward;
+      reach -= 65536;
+    } while (reach >= 2 * kHalfShare);
+  }
+
+  /// True if nothing nearer than the edge in this row is drawn at a pixel.
+  [[nodiscard]] ARCSPAN_INLINE bool is_free(const OutlinePixel& at, std::int32_t row) const {
+    return !depth_.is_behind(pixels_.depth_of(at), row);
+  }
+
   /// The pixels on both sides, if one is free, by their nearness to the edge.
-  ARCSPAN_OUTLINE void ink_middle(const OutlineWay& way, const RasterPosition& top,
-                                  const RasterPosition& bottom) {
+  ARCSPAN_OUTLINE void ink_middle(const RasterPosition& top, const RasterPosition& bottom) {
+    const OutlineWay& way = *way_;
     InkWalk walk(top, bottom, {way.rows.first, way.rows.end}, way.exchanged, 0, 0);
     for (; !walk.done(); walk.next()) {
       const std::int32_t column = walk.column() - way.columns.first;
@@ -92,8 +110,7 @@ class OutlineInker {
       right += way.columns.step.times(column - 1 - way.side);
       OutlinePixel left = right;
       left += way.columns.step.times(-1);
-      const std::uint16_t z = walk.depth();
-      if (!pixels_.is_free(left, z) && !pixels_.is_free(right, z)) continue;
+      if (!is_free(left, walk.row()) && !is_free(right, walk.row())) continue;
       const std::uint32_t share = (walk.fraction() + 1024) >> 11;
       if (share != 0) pixels_.put(left, share);
       if (share != Pixels::kWhole) pixels_.put(right, Pixels::kWhole - share);
@@ -113,6 +130,8 @@ class OutlineInker {
 
   Pixels& pixels_;
   const std::int32_t width_;
+  const OutlineWay* way_ = nullptr;  ///< of the edge that is walked
+  OutlineDepth depth_;
   const OutlineRect rect_;
 };
 

@@ -5,6 +5,7 @@
 #include <arcspan/outline/gap_list.hpp>
 #include <arcspan/outline/gap_marks.hpp>
 #include <arcspan/outline/gap_walk.hpp>
+#include <arcspan/outline/outline_depth.hpp>
 #include <arcspan/outline/outline_gap.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/outline/outline_way.hpp>
@@ -26,19 +27,19 @@ template <class Gaps>
 class OutlineSmoother {
  public:
   OutlineSmoother(const Scissor& scissor, const DepthBuffer& depth, Gaps& gaps)
-      : gaps_(gaps), rect_(scissor, depth) {}
+      : gaps_(gaps), rect_(scissor, depth), reach_(rect_.in_raster_units()) {}
 
   ARCSPAN_INLINE void smooth(const OutlineEdge& edge) {
-    if (is_outside(rect_.rows(), edge.from.y, edge.to.y) ||
-        is_outside(rect_.columns(), edge.from.x, edge.to.x))
-      return;
+    if (is_outside(edge)) return;
     RasterPosition top = edge.from;
     RasterPosition bottom = edge.to;
     const OutlineWay& way = rect_.way_along(top, bottom);
     GapWalk walk(top, bottom, {way.rows.first, way.rows.end}, way.columns.first + 1, way.exchanged);
     if (walk.done()) return;
     way_ = &way;
+    end_ = walk.end();
     slope_ = walk.slope();
+    depth_.begin(edge, way.exchanged);
     const OutlineStep step = way.columns.step;
     const auto gaps = static_cast<std::uint32_t>(way.columns.end - way.columns.first - 1);
     OutlinePixel row = way.first;
@@ -47,17 +48,19 @@ class OutlineSmoother {
       const auto column = static_cast<std::uint32_t>(walk.column());
       if (column >= gaps) continue;
       std::uint16_t* const at = row.depth + static_cast<std::int32_t>(column) * step.depths;
-      if (gaps_.is_hidden(*at, walk.depth())) continue;
-      put(at, row.column_row + column * step.column_row, walk.offset(), walk.depth());
+      if (depth_.may_hide(*at) && !gaps_.may_be_own(*at) && depth_.is_behind(*at, end_ - walk.rows()))
+        continue;
+      put(at, row.column_row + column * step.column_row, walk.offset(), walk.rows());
     }
   }
 
  private:
-  /// Puts the gap of the pixel outside of the edge, whose depth is at `at`, unless that is nearer than `z`.
-  /// `offset` is that of the walk.
-  ARCSPAN_OUTLINE void put(std::uint16_t* at, std::uint32_t pixel, std::int32_t offset, std::uint16_t z) {
+  /// Puts the gap of the pixel outside of the edge, whose depth is at `at`. That depth is not nearer than the
+  /// edge; one that stands elsewhere because the pixel has a gap already is tested here. `offset` and `rows`
+  /// are those of the walk.
+  ARCSPAN_OUTLINE void put(std::uint16_t* at, std::uint32_t pixel, std::int32_t offset, std::int32_t rows) {
     const auto outer = gaps_.outer_of(*at, pixel);
-    if (is_nearer(outer.depth, z)) return;
+    if (gaps_.may_be_own(*at) && depth_.is_behind(outer.depth, end_ - rows)) return;
     const OutlineWay& way = *way_;
     const auto side = static_cast<std::uint32_t>(way.side);
     const std::uint32_t right = static_cast<std::uint32_t>(offset + 32768 + 1024) >> 11;
@@ -65,16 +68,21 @@ class OutlineSmoother {
     gaps_.put(pixel, {way.place, outward, slope_.corner(offset)}, outer, at, at - way.outward.depths);
   }
 
-  /// True if an edge whose ends have these coordinates certainly has no gaps in the columns or rows.
-  [[nodiscard]] ARCSPAN_INLINE static bool is_outside(const OutlineAxis& axis, std::int32_t a,
-                                                      std::int32_t b) {
-    return (a < 16 * axis.first && b < 16 * axis.first) || (a > 16 * axis.end && b > 16 * axis.end);
+  /// True if an edge certainly has no gaps in the rectangle.
+  [[nodiscard]] ARCSPAN_INLINE bool is_outside(const OutlineEdge& edge) const {
+    const RasterPosition& a = edge.from;
+    const RasterPosition& b = edge.to;
+    return (a.y < reach_.top && b.y < reach_.top) || (a.y > reach_.bottom && b.y > reach_.bottom) ||
+           (a.x < reach_.left && b.x < reach_.left) || (a.x > reach_.right && b.x > reach_.right);
   }
 
   Gaps& gaps_;
-  const OutlineRect rect_;
   const OutlineWay* way_ = nullptr;  ///< of the edge that is walked
+  std::int32_t end_ = 0;             ///< of its rows in the rectangle
   GapSlope slope_{};
+  OutlineDepth depth_;
+  const OutlineRect rect_;
+  const Rect reach_;
 };
 
 template <class Gaps>

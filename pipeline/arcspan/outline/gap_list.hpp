@@ -31,19 +31,17 @@ class GapList {
         gaps_(memory.data()),
         most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
 
-  /// True if a pixel with this depth, which is no gap's, is nearer than `z`.
-  [[nodiscard]] ARCSPAN_INLINE bool is_hidden(std::uint16_t depth, std::uint16_t z) const {
-    return is_nearer(depth, z) && depth >= count_;
-  }
-  /// A pixel outside of an outline: its depth, and the number of its latest gap or kNone.
+  /// False if what is stored as the depth of a pixel certainly is one, and no number.
+  [[nodiscard]] ARCSPAN_INLINE bool may_be_own(std::uint16_t stored) const { return stored < count_; }
+  /// A pixel outside of an outline: its depth, and the number of its latest gap or -1.
   struct Outer {
     std::uint16_t depth;
-    std::uint16_t number;
+    std::int32_t number;
   };
   /// That of `pixel` (OutlinePixel::column_row), in whose depth `stored` is.
   [[nodiscard]] ARCSPAN_INLINE Outer outer_of(std::uint16_t stored, std::uint32_t pixel) const {
     if (stored >= count_ || !is_gap_of(stored, pixel)) [[likely]]
-      return {stored, kNone};
+      return {stored, -1};
     return {gaps_[stored].held.list.depth, stored};
   }
 
@@ -52,17 +50,17 @@ class GapList {
   /// surfaces that meet in it the first.
   ARCSPAN_INLINE void put(std::uint32_t pixel, const GapOutline& outline, Outer outer, std::uint16_t* at,
                           const std::uint16_t* inner) {
-    if (outer.number != kNone && moved_outward(outer.number, outline.word())) return;
+    if (outer.number >= 0 && moved_outward(static_cast<std::uint32_t>(outer.number), outline.word())) return;
     if (*inner < count_ && has_opposite(*inner, pixel, outline.place)) return;
     if (count_ == most_) [[unlikely]] {
       apply();
       was_full_ = true;
-      outer.number = kNone;
+      outer.number = -1;
     }
     Gap& gap = gaps_[count_];
     gap.x = static_cast<std::int16_t>(pixel);
     gap.y = static_cast<std::int16_t>(pixel >> 16);
-    gap.held = Held(typename Gap::InList{outer.depth, outer.number});
+    gap.held = Held(typename Gap::InList{outer.depth, static_cast<std::uint16_t>(outer.number)});
     gap.outline = outline.word();
     *at = static_cast<std::uint16_t>(count_++);
   }
@@ -89,8 +87,9 @@ class GapList {
 
   /// `number` is below count_.
   [[nodiscard]] ARCSPAN_INLINE bool is_gap_of(std::uint32_t number, std::uint32_t pixel) const {
-    return gaps_[number].x == static_cast<std::int16_t>(pixel) &&
-           gaps_[number].y == static_cast<std::int16_t>(pixel >> 16);
+    const Gap& gap = gaps_[number];
+    return (static_cast<std::uint16_t>(gap.x) | std::uint32_t{static_cast<std::uint16_t>(gap.y)} << 16) ==
+           pixel;
   }
 
   /// Looks for the gap in the same place among those of a pixel. If there is one, moves its outline outward

@@ -20,10 +20,8 @@ class GapMarks {
  public:
   explicit GapMarks(Sink& sink) : blender_(sink) {}
 
-  /// True if a pixel with this depth, which is no mark, is nearer than `z`.
-  [[nodiscard]] ARCSPAN_INLINE static bool is_hidden(std::uint16_t depth, std::uint16_t z) {
-    return is_nearer(depth, z) && !is_mark(depth);
-  }
+  /// False if what is stored as the depth of a pixel is one, and no mark.
+  [[nodiscard]] ARCSPAN_INLINE static bool may_be_own(std::uint16_t stored) { return is_mark(stored); }
   /// A pixel outside of an outline: its depth, the farthest if it is lost, and its marks.
   struct Outer {
     std::uint16_t depth;

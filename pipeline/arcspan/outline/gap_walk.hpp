@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/integer.hpp>
 #include <arcspan/outline/exchange.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/edge.hpp>
-#include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/triangle.hpp>
-#include <arcspan/span/depth.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/placement.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
@@ -54,14 +51,12 @@ class GapWalk {
     const std::int32_t first = first_row_at(top.y);
     const std::int32_t end = first_row_at(bottom.y);
     const std::int32_t begin = first < rows.first ? rows.first : first;
-    rows_ = (end > rows.end ? rows.end : end) - begin;
+    end_ = end > rows.end ? rows.end : end;
+    rows_ = end_ - begin;
     skipped_ = begin - rows.first;
     if (done()) return;
-    set_up_outline(top, bottom, first, exchanged, walk_, z_);
-    if (begin != first) {
-      walk_.advance(begin - first);
-      z_.at += Linear::from_raw(wrap_mul(z_.step.raw(), begin - first));
-    }
+    set_up_columns(top, bottom, first, exchanged, walk_);
+    if (begin != first) walk_.advance(begin - first);
     walk_.x -= std::int64_t{left} << 32;
   }
 
@@ -69,7 +64,9 @@ class GapWalk {
   /// The rows above the first one.
   [[nodiscard]] ARCSPAN_INLINE std::int32_t skipped() const { return skipped_; }
   [[nodiscard]] ARCSPAN_INLINE std::int32_t column() const { return walk_.column(); }
-  [[nodiscard]] ARCSPAN_INLINE std::uint16_t depth() const { return depth_of(z_.at); }
+  /// The rows from the present one on, and the one behind the last.
+  [[nodiscard]] ARCSPAN_INLINE std::int32_t rows() const { return rows_; }
+  [[nodiscard]] ARCSPAN_INLINE std::int32_t end() const { return end_; }
   [[nodiscard]] ARCSPAN_INLINE GapSlope slope() const {
     return GapSlope(static_cast<std::uint32_t>((walk_.step < 0 ? -walk_.step : walk_.step) >> 16));
   }
@@ -83,13 +80,12 @@ class GapWalk {
   ARCSPAN_INLINE void next() {
     --rows_;
     walk_.advance();
-    z_.at += z_.step;
   }
 
  private:
   EdgeWalk walk_;
-  BasicLinearEdge<Linear> z_;
   std::int32_t rows_ = 0;  ///< from the present one on
+  std::int32_t end_ = 0;
   std::int32_t skipped_ = 0;
 };
 

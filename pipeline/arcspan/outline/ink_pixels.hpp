@@ -33,12 +33,12 @@ class InkPixels {
         colour_(Format::encode(colour)),
         most_(memory.size() < kMost ? static_cast<std::uint32_t>(memory.size()) : kMost) {}
 
-  /// True if nothing nearer than `z` is drawn at a pixel.
-  [[nodiscard]] ARCSPAN_INLINE bool is_free(const OutlinePixel& at, std::uint16_t z) const {
-    const std::uint32_t number = *at.depth;
+  /// The depth of a pixel, whether it is in the list or not.
+  [[nodiscard]] ARCSPAN_INLINE std::uint16_t depth_of(const OutlinePixel& at) const {
+    const std::uint16_t number = *at.depth;
     if (number >= count_ || !is_entry_of(number, at)) [[likely]]
-      return number >= z;
-    return entries_[number].held.list.depth >= z;
+      return number;
+    return entries_[number].held.list.depth;
   }
 
   /// Covers `share` / 32 of a pixel, 1...32.

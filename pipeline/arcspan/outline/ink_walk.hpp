@@ -3,9 +3,7 @@
 
 #include <arcspan/outline/exchange.hpp>
 #include <arcspan/prepare/edge.hpp>
-#include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/triangle.hpp>
-#include <arcspan/span/depth.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
@@ -36,7 +34,7 @@ class InkWalk {
     row_ = first_ - beyond < rows.first ? rows.first : first_ - beyond;
     end_ = end + beyond > rows.end ? rows.end : end + beyond;
     if (done()) return;
-    set_up_outline(top, bottom, first_, exchanged, walk_, z_);
+    set_up_columns(top, bottom, first_, exchanged, walk_);
     set_across();
     move(row_ - first_);
   }
@@ -45,13 +43,6 @@ class InkWalk {
   [[nodiscard]] ARCSPAN_INLINE std::int32_t row() const { return row_; }
   [[nodiscard]] ARCSPAN_INLINE std::int32_t column() const { return walk_.column(); }
   [[nodiscard]] ARCSPAN_INLINE std::uint32_t fraction() const { return walk_.fraction(); }
-
-  /// The depth of the edge; beyond its ends that of the end.
-  [[nodiscard]] ARCSPAN_INLINE std::uint16_t depth() const {
-    if (is_beside()) [[likely]]
-      return depth_of(z_.at);
-    return row_ < first_ ? top_.z : bottom_.z;
-  }
 
   /// Where the ink ends in this row, in pixels left or right of the left side of column(), with 16 fraction
   /// bits. May be negative.
@@ -71,7 +62,6 @@ class InkWalk {
   ARCSPAN_INLINE void next() {
     ++row_;
     walk_.advance();
-    z_.at += z_.step;
   }
 
  private:
@@ -120,7 +110,6 @@ class InkWalk {
     } else {
       walk_.advance(rows);
     }
-    z_.at += Linear::from_raw(wrap_mul(z_.step.raw(), rows));
   }
 
   const RasterPosition top_;
@@ -134,7 +123,6 @@ class InkWalk {
   std::int32_t end_ = 0;
   std::int32_t across_ = 0;
   EdgeWalk walk_{};
-  BasicLinearEdge<Linear> z_{};
 };
 
 }  // namespace arcspan::detail

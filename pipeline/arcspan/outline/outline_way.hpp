@@ -86,8 +86,12 @@ class OutlineRect {
     }
   }
 
-  [[nodiscard]] const OutlineAxis& rows() const { return ways_[0].rows; }
-  [[nodiscard]] const OutlineAxis& columns() const { return ways_[0].columns; }
+  /// Its sides in units of RasterPosition.
+  [[nodiscard]] Rect in_raster_units() const {
+    const OutlineAxis& rows = ways_[0].rows;
+    const OutlineAxis& columns = ways_[0].columns;
+    return {columns.first * 16, rows.first * 16, columns.end * 16, rows.end * 16};
+  }
 
   /// The way of an edge. Exchanges x and y of its ends if it is flat, then the ends if `bottom` is above.
   ARCSPAN_INLINE const OutlineWay& way_along(RasterPosition& top, RasterPosition& bottom) const {

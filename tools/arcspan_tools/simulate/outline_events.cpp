@@ -36,16 +36,16 @@ struct CountedGaps : arcspan::detail::GapList<Sink> {
 struct CountedInk : arcspan::detail::InkPixels<Sink> {
   using InkPixels::InkPixels;
 
-  bool is_free(const arcspan::detail::OutlinePixel& at, std::uint16_t z) {
+  std::uint16_t depth_of(const arcspan::detail::OutlinePixel& at) const {
     ++tests;
-    return InkPixels::is_free(at, z);
+    return InkPixels::depth_of(at);
   }
   void put(const arcspan::detail::OutlinePixel& at, std::uint32_t share) {
     ++(share == kWhole ? whole : parts);
     InkPixels::put(at, share);
   }
 
-  double tests = 0;
+  mutable double tests = 0;
   double whole = 0;
   double parts = 0;
 };

@@ -123,11 +123,15 @@ void read_all(const MeshView& mesh, const MeshNeighbours& neighbours) {
   require(neighbours.triangle_count() == mesh.triangle_count());
   const std::uint8_t* at = neighbours.bytes();
   for (std::size_t i = 0; i < mesh.triangle_count(); ++i) {
+    const std::uint8_t* const first = at;
     const unsigned kinds = *at++;
-    require(kinds < 64);
     for (unsigned edge = 0; edge < 3; ++edge) {
       if (!detail::has_distance(detail::edge_kind(kinds, edge))) continue;
       require(i + detail::read_distance(at) < mesh.triangle_count());
+    }
+    if (const unsigned distances = detail::short_distances(kinds); distances != 0) {
+      require(detail::has_ordinary_edges(kinds));
+      require(at == first + 1 + distances);
     }
   }
 }

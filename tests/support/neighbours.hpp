@@ -3,6 +3,8 @@
 
 #include <arcspan/mesh/mesh_neighbours.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <vector>
@@ -10,7 +12,7 @@
 namespace arcspan::test {
 
 /// The neighbours of a mesh, found by comparing all edges with all. `creases`: all edges between triangles
-/// are creases.
+/// are creases. Short distances of every second triangle are marked.
 [[nodiscard]] inline std::vector<std::uint8_t> neighbours_of(const MeshView& mesh, bool creases = false) {
   constexpr std::size_t kNone = ~std::size_t{0};
   const std::size_t corners = 3 * mesh.triangle_count();
@@ -41,6 +43,11 @@ namespace arcspan::test {
       for (; later && number >= 128; number >>= 7) bytes.push_back(static_cast<std::uint8_t>(number | 128));
       if (later) bytes.push_back(static_cast<std::uint8_t>(number));
     }
+    const std::size_t numbers = bytes.size() - first - 1;
+    const bool are_short = std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(first) + 1, bytes.end(),
+                                       [](std::uint8_t byte) { return byte < 128; });
+    if (t % 2 == 0 && are_short && detail::has_ordinary_edges(bytes[first]))
+      bytes[first] = static_cast<std::uint8_t>(bytes[first] | (numbers << 6));
   }
   return bytes;
 }

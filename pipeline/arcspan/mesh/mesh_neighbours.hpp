@@ -41,6 +41,15 @@ void neighbours_of_another_mesh();
 /// True if a distance follows for an edge of this kind.
 [[nodiscard]] ARCSPAN_INLINE constexpr bool has_distance(EdgeKind kind) { return kind >= EdgeKind::kLater; }
 
+/// True if all edges are kEarlier or kLater.
+[[nodiscard]] ARCSPAN_INLINE constexpr bool has_ordinary_edges(unsigned kinds) {
+  return ((kinds ^ (kinds >> 1)) & 0b010101u) == 0b010101u;
+}
+
+/// How many distances follow the byte of a triangle, if they all have one byte and the triangle has neither
+/// border nor crease; otherwise 0, or by choice of the writer.
+[[nodiscard]] ARCSPAN_INLINE constexpr unsigned short_distances(unsigned kinds) { return kinds >> 6; }
+
 /// Reads a distance of at least 1 that MeshNeighbours::make() has accepted: 7 bits per byte, the lower ones
 /// first; the upper bit is set if a byte follows.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::size_t read_distance(const std::uint8_t*& at) {
@@ -61,8 +70,10 @@ void neighbours_of_another_mesh();
 /// For each triangle in the order of the mesh there is a byte with the EdgeKind of its edges ab (bits 0, 1),
 /// bc (2, 3) and ca (4, 5), then for each edge of them that is kLater or kCrease the number of the triangle
 /// beyond it: how much greater it is than that of this one, minus 1, 7 bits per byte, the lower ones first,
-/// with the upper bit set in all bytes but the last. Edges are the same if their ends are at the same
-/// positions, in the opposite order, whatever normals and texture points they have.
+/// with the upper bit set in all bytes but the last. If the edges are kEarlier or kLater, and each distance
+/// has one byte, bits 6 and 7 are how many there are, so that reading most triangles is fast; they may be 0.
+/// Edges are the same if their ends are at the same positions, in the opposite order, whatever normals and
+/// texture points they have.
 class MeshNeighbours {
  public:
   constexpr MeshNeighbours() = default;
@@ -70,8 +81,8 @@ class MeshNeighbours {
   /// Makes a view of neighbours, which are checked here once, so that reading them need not. Returns:
   ///
   ///   kOk                `neighbours` is set; otherwise it is not changed
-  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, bits 6 or
-  ///                      7 are set, a distance has more than 5 bytes, or there are not as many edges that
+  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, bits 6 and
+  ///                      7 are wrong, a distance has more than 5 bytes, or there are not as many edges that
   ///                      are kEarlier as kLater and kCrease
   ///   kIndexOutOfRange   a number names no triangle
   ///   kInvalidArgument   a triangle beyond an edge has no edge with these ends: those of another mesh
@@ -117,19 +128,25 @@ class NeighbourCheck {
 
  private:
   constexpr Status check_triangle(std::size_t i) {
-    if (at_ == bytes_.size() || bytes_[at_] > 63) return Status::kCorrupted;
+    if (at_ == bytes_.size()) return Status::kCorrupted;
+    const std::size_t first = at_;
     const unsigned kinds = bytes_[at_++];
     Status status = Status::kOk;
+    unsigned distances = 0;
     for (unsigned edge = 0; edge < 3 && ok(status); ++edge) {
       const EdgeKind kind = edge_kind(kinds, edge);
       if (kind == EdgeKind::kEarlier) {
         if (named_-- == 0) return Status::kCorrupted;
       } else if (has_distance(kind)) {
         ++named_;
+        ++distances;
         status = check_distance(i, edge);
       }
     }
-    return status;
+    if (!ok(status) || short_distances(kinds) == 0) return status;
+    const bool are_short = at_ - first == distances + 1;
+    return short_distances(kinds) == distances && are_short && has_ordinary_edges(kinds) ? Status::kOk
+                                                                                         : Status::kCorrupted;
   }
 
   /// Of at most 5 bytes; numbers have fewer than 32 bits.

@@ -18,23 +18,6 @@ namespace arcspan::detail {
   return side == TriangleSide::kFront || side == TriangleSide::kBack;
 }
 
-inline constexpr std::uint8_t kMarked = 4;
-/// For the first byte of a triangle: how many distances follow it (0...3), and kMarked if the triangle needs
-/// a closer look where it is seen, because it has a border or a crease. kMarked also if no distance follows,
-/// so that EdgeFinder need not test for 0 before its loop.
-inline constexpr std::array<std::uint8_t, 64> kNumbersAfter = [] {
-  std::array<std::uint8_t, 64> numbers{};
-  for (unsigned kinds = 0; kinds < 64; ++kinds) {
-    for (unsigned edge = 0; edge < 3; ++edge) {
-      const EdgeKind kind = edge_kind(kinds, edge);
-      if (has_distance(kind)) ++numbers[kinds];
-      if (kind == EdgeKind::kBorder || kind == EdgeKind::kCrease) numbers[kinds] |= kMarked;
-    }
-    if (numbers[kinds] == 0) numbers[kinds] = kMarked;
-  }
-  return numbers;
-}();
-
 /// The outline at the edge between triangle a, which stores the distance, and triangle b.
 struct EdgeSides {
   /// kHidden: none. kFront: it leads along the edge in a's order of vertices; kBack: in the opposite one.
@@ -68,29 +51,42 @@ class EdgeFinder {
   EdgeFinder(const MeshView& mesh, std::span<const TriangleSide> sides, Edges& edges)
       : mesh_(mesh), sides_(sides.data()), edges_(edges) {}
 
-  /// `at` is MeshNeighbours::bytes().
+  /// `at` is MeshNeighbours::bytes(). Most triangles have no outline: their later neighbours, one or two,
+  /// show the same side.
   void find(const std::uint8_t* at) {
-    const TriangleSide* const end = sides_ + mesh_.triangle_count();
-    for (const TriangleSide* side = sides_; side != end;) at = find_of_triangle(side, at);
+    const TriangleSide* next_side = sides_;
+    for (const TriangleSide* const end = sides_ + mesh_.triangle_count(); next_side != end;) {
+      const TriangleSide own = *next_side++;
+      const unsigned distances = short_distances(*at);
+      if (distances == 1) {
+        if (next_side[at[1]] == own) {
+          at += 2;
+          continue;
+        }
+      } else if (distances == 2) {
+        if (next_side[at[1]] == own && next_side[at[2]] == own) {
+          at += 3;
+          continue;
+        }
+      } else if (has_none(next_side, at)) {
+        continue;
+      }
+      at = put_differing(next_side, at);
+    }
   }
 
  private:
-  /// Goes to the next triangle, and returns its bytes. Most triangles have no outline: their later neighbours
-  /// show the same side, and they have no mark or are not seen.
-  ARCSPAN_INLINE const std::uint8_t* find_of_triangle(const TriangleSide*& next_side,
-                                                      const std::uint8_t* at) {
+  /// True if a triangle, whatever its neighbours are, certainly has no outline: all show the same side, and
+  /// it has neither border nor crease or is not seen. Then `at` goes to the next one.
+  ARCSPAN_INLINE static bool has_none(const TriangleSide* next_side, const std::uint8_t*& at) {
+    const TriangleSide own = next_side[-1];
+    const unsigned kinds = *at;
+    if (is_seen(own) && !has_ordinary_edges(kinds)) return false;
     const std::uint8_t* next = at + 1;
-    unsigned numbers = kNumbersAfter[*at];
-    const TriangleSide own = *next_side++;
-    if (numbers >= kMarked) {
-      if (is_seen(own)) return put_differing(next_side, at);
-      numbers -= kMarked;
-      if (numbers == 0) return next;
-    }
-    do {
-      if (next_side[read_distance(next) - 1] != own) return put_differing(next_side, at);
-    } while (--numbers != 0);
-    return next;
+    for (unsigned later = kinds & 0b101010u; later != 0; later &= later - 1)
+      if (next_side[read_distance(next) - 1] != own) return false;
+    at = next;
+    return true;
   }
 
   /// Puts the outlines among the edges of a triangle. Returns the bytes of the next one.

@@ -126,6 +126,74 @@ TEST_CASE("Neighbours: refused bytes") {
   CHECK(made(kSquare, {kinds(kLater, kBorder, kBorder), 0, second}) == Status::kInvalidArgument);
 }
 
+TEST_CASE("Neighbours: bits 6 and 7 count distances of a byte between ordinary edges, or are 0") {
+  const auto with_bits = [](Bytes bytes, std::size_t i, unsigned bits) {
+    bytes[i] = static_cast<std::uint8_t>(bytes[i] | (bits << 6));
+    return bytes;
+  };
+  // A tetrahedron: its triangles have three, two, one and no later neighbours.
+  static constexpr ObjectPosition kTips[] = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}};
+  static constexpr std::uint8_t kFaces[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  static constexpr MeshView kSolid = MeshView::of(kTips, kNormals, kFaces);
+  const Bytes solid{kinds(kLater, kLater, kLater),
+                    2,
+                    1,
+                    0,
+                    kinds(kEarlier, kLater, kLater),
+                    0,
+                    1,
+                    kinds(kEarlier, kLater, kEarlier),
+                    0,
+                    kinds(kEarlier, kEarlier, kEarlier)};
+  const std::size_t at[] = {0, 4, 7, 9};
+  for (unsigned i = 0; i < 4; ++i)
+    for (unsigned bits = 0; bits < 4; ++bits)
+      CHECK(made(kSolid, with_bits(solid, at[i], bits)) ==
+            (bits == 0 || bits == 3 - i ? Status::kOk : Status::kCorrupted));
+  // Beside a border, and a crease.
+  const Bytes square(std::begin(kOfSquare), std::end(kOfSquare));
+  CHECK(made(kSquare, with_bits(square, 0, 1)) == Status::kCorrupted);
+  CHECK(made(kSolid, {kinds(kLater, kLater, kCrease), 2, 1, 0, solid[4], 0, 1, solid[7], 0, solid[9]}) ==
+        Status::kOk);
+  CHECK(made(kSolid, {kinds(kLater, kLater, kCrease) | 3 << 6, 2, 1, 0, solid[4], 0, 1, solid[7], 0,
+                      solid[9]}) == Status::kCorrupted);
+}
+
+TEST_CASE("Neighbours: bits 6 and 7 do not count distances of two bytes") {
+  // Two fans about opposite tips: edges ab lead to the other fan, whose triangles come later.
+  constexpr int kCount = 200;
+  TestMesh mesh;
+  const std::uint16_t upper = mesh.add({0, 0, 20000}, {0, 0, 1});
+  const std::uint16_t lower = mesh.add({0, 0, -20000}, {0, 0, -1});
+  for (int i = 0; i < kCount; ++i) {
+    const double turn = 2 * std::numbers::pi * i / kCount;
+    mesh.add({20000 * std::cos(turn), 20000 * std::sin(turn), 0}, {0, 0, 1});
+  }
+  const auto rim = [](int i) { return static_cast<std::uint16_t>(2 + i % kCount); };
+  for (int i = 0; i < kCount; ++i) mesh.triangle(rim(i), rim(i + 1), upper);
+  for (int i = 0; i < kCount; ++i) mesh.triangle(rim(i + 1), rim(i), lower);
+  Bytes bytes;
+  const auto edges = [&](unsigned ab, unsigned bc, unsigned ca) { bytes.push_back(kinds(ab, bc, ca)); };
+  const auto far = [&](int distance) {
+    if (distance > 128) bytes.push_back(static_cast<std::uint8_t>((distance - 1) | 128));
+    bytes.push_back(static_cast<std::uint8_t>(distance > 128 ? (distance - 1) >> 7 : distance - 1));
+  };
+  for (int i = 0; i < kCount; ++i) {
+    edges(kLater, i == kCount - 1 ? kEarlier : kLater, i == 0 ? kLater : kEarlier);
+    far(kCount);
+    if (i != kCount - 1) far(1);
+    if (i == 0) far(kCount - 1);
+  }
+  for (int i = 0; i < kCount; ++i) {
+    edges(kEarlier, i == 0 ? kLater : kEarlier, i == kCount - 1 ? kEarlier : kLater);
+    if (i == 0) far(kCount - 1);
+    if (i != kCount - 1) far(1);
+  }
+  CHECK(made(mesh.view(), bytes) == Status::kOk);
+  bytes[0] |= 3u << 6;
+  CHECK(made(mesh.view(), bytes) == Status::kCorrupted);
+}
+
 TEST_CASE("Neighbours: those of another mesh are refused") {
   const Bytes bytes = neighbours_of_fan(40);
   TestMesh other = fan(40);
@@ -149,11 +217,14 @@ TEST_CASE("Neighbours: damaged bytes are refused, or name triangles of the mesh"
     if (!ok(MeshNeighbours::make(view, bytes, neighbours))) continue;
     const std::uint8_t* at = neighbours.bytes();
     for (std::size_t t = 0; t < view.triangle_count(); ++t) {
+      const std::uint8_t* const first = at;
       const unsigned of_triangle = *at++;
       for (unsigned edge = 0; edge < 3; ++edge) {
         if (!detail::has_distance(detail::edge_kind(of_triangle, edge))) continue;
         if (t + detail::read_distance(at) >= view.triangle_count()) FAIL("beyond the last triangle");
       }
+      const unsigned distances = detail::short_distances(of_triangle);
+      if (distances != 0 && at != first + 1 + distances) FAIL("other distances than bits 6 and 7 say");
     }
     CHECK(at == bytes.data() + bytes.size());
   }

@@ -38,12 +38,18 @@ Counts counts(const FixedMesh& mesh, const std::vector<std::uint8_t>& bytes) {
   Counts found;
   const std::uint8_t* at = bytes.data();
   for (std::size_t i = 0; i < neighbours.triangle_count(); ++i) {
+    const std::uint8_t* const first = at;
     const unsigned kinds = *at++;
+    std::ptrdiff_t distances = 0;
     for (unsigned edge = 0; edge < 3; ++edge) {
       const EdgeKind kind = arcspan::detail::edge_kind(kinds, edge);
       ++found.of_kind[static_cast<std::size_t>(kind)];
-      if (arcspan::detail::has_distance(kind)) static_cast<void>(arcspan::detail::read_distance(at));
+      if (!arcspan::detail::has_distance(kind)) continue;
+      static_cast<void>(arcspan::detail::read_distance(at));
+      ++distances;
     }
+    const bool counted = arcspan::detail::has_ordinary_edges(kinds) && at - first == distances + 1;
+    CHECK(arcspan::detail::short_distances(kinds) == (counted ? static_cast<unsigned>(distances) : 0));
   }
   return found;
 }

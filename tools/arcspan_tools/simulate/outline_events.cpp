@@ -188,11 +188,12 @@ void count_neighbours(const MeshNeighbours& neighbours, const std::vector<Triang
                       OutlineEvents& events) {
   const std::uint8_t* at = neighbours.bytes();
   for (std::size_t i = 0; i < neighbours.triangle_count(); ++i) {
-    const unsigned numbers = arcspan::detail::kNumbersAfter[*at++];
+    const unsigned kinds = *at++;
     const std::uint8_t* const first = at;
-    bool differs = numbers >= arcspan::detail::kMarked && arcspan::detail::is_seen(sides[i]);
-    for (unsigned number = 0; number < numbers % arcspan::detail::kMarked; ++number)
-      differs |= sides[i + arcspan::detail::read_distance(at)] != sides[i];
+    bool differs = arcspan::detail::is_seen(sides[i]) && !arcspan::detail::has_ordinary_edges(kinds);
+    for (unsigned edge = 0; edge < 3; ++edge)
+      if (arcspan::detail::has_distance(arcspan::detail::edge_kind(kinds, edge)))
+        differs |= sides[i + arcspan::detail::read_distance(at)] != sides[i];
     ++events.scanned;
     events.distances += static_cast<double>(at - first);
     if (differs) ++events.differing;

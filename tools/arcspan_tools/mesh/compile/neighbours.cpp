@@ -89,6 +89,16 @@ void put_distance(std::vector<std::uint8_t>& out, std::size_t distance) {
   out.push_back(static_cast<std::uint8_t>(distance));
 }
 
+/// Sets bits 6 and 7 of a triangle's byte, which is followed by its distances.
+void mark_short_distances(std::vector<std::uint8_t>& out, std::size_t kinds_at) {
+  const unsigned kinds = out[kinds_at];
+  std::size_t distances = 0;
+  for (unsigned edge = 0; edge < kCorners; ++edge)
+    distances += static_cast<std::size_t>(detail::has_distance(detail::edge_kind(kinds, edge)));
+  if (detail::has_ordinary_edges(kinds) && out.size() == kinds_at + 1 + distances)
+    out[kinds_at] = static_cast<std::uint8_t>(kinds | (distances << 6));
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> neighbours_of(const FixedMesh& mesh, double degrees) {
@@ -109,6 +119,7 @@ std::vector<std::uint8_t> neighbours_of(const FixedMesh& mesh, double degrees) {
       }
       out[kinds_at] = static_cast<std::uint8_t>(out[kinds_at] | (static_cast<unsigned>(kind) << (2 * edge)));
     }
+    mark_short_distances(out, kinds_at);
   }
   return out;
 }

@@ -48,7 +48,8 @@ class ListedEdges {
 
 }  // namespace
 
-void VertexPositions::transform(const MeshView& mesh, std::size_t i, RasterPosition& position) const {
+ARCSPAN_OUTLINE void VertexPositions::transform(const MeshView& mesh, std::size_t i,
+                                                RasterPosition& position) const {
   position = project((*transform_)(mesh.position(i)), *transform_);
 }
 

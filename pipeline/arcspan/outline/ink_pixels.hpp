@@ -52,12 +52,18 @@ class InkPixels {
 
   /// Restores the depths, blends the pixels of the list, and empties it.
   ARCSPAN_OUTLINE void apply() {
-    for (std::uint32_t i = 0; i < count_; ++i) {
-      const Entry& entry = entries_[i];
-      depth_.row(entry.y)[entry.x] = entry.held.list.depth;
-      const typename Format::Cursor cursor(sink_.row(entry.y), entry.x);
-      write(entry.x, entry.y, blended<Format>(cursor.read(), colour_, entry.outline));
+    const typename Format::Encoded colour = colour_;
+    Status status = status_;
+    for (const Entry& entry : std::span<const Entry>(entries_, count_)) {
+      const std::int32_t x = entry.x;
+      const std::int32_t y = entry.y;
+      depth_.row(y)[x] = entry.held.list.depth;
+      if (!ok(status)) continue;
+      typename Format::Cursor cursor(sink_.row(y), x);
+      cursor.write(blended<Format>(cursor.read(), colour, entry.outline));
+      status = sink_.close({y, x, 1});
     }
+    status_ = status;
     count_ = 0;
   }
 

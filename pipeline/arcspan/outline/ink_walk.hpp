@@ -30,12 +30,13 @@ class InkWalk {
     const std::int32_t end = first_row_at(bottom.y);
     if (first_ >= end) return;  // no row's centre: the edges at both ends reach as far
     rows_ = static_cast<std::uint32_t>(end - first_);
-    const std::int32_t beyond = has_round_ends() ? width : 0;
+    const bool is_round = has_round_ends();
+    const std::int32_t beyond = is_round ? width : 0;
     row_ = first_ - beyond < rows.first ? rows.first : first_ - beyond;
     end_ = end + beyond > rows.end ? rows.end : end + beyond;
     if (done()) return;
     set_up_columns(top, bottom, first_, exchanged, walk_);
-    set_across();
+    set_across(is_round);
     move(row_ - first_);
   }
 
@@ -82,8 +83,8 @@ class InkWalk {
 
   /// Sets the width of the ink along a row: times sqrt(1 + s^2), which is 1 + 0.414 s^2 up to 1.4 %. The ends
   /// of its outer side lie s / sqrt(1 + s^2), about s - 0.29 s^2, of the width farther where the edge leans
-  /// to.
-  ARCSPAN_INLINE void set_across() {
+  /// to. `is_round` is has_round_ends().
+  ARCSPAN_INLINE void set_across(bool is_round) {
     const auto step = static_cast<std::int32_t>(walk_.step >> 17);  // 15 fraction bits, 1 or less
     const std::int32_t lean = outward(step);
     const auto s = static_cast<std::uint32_t>(lean < 0 ? -lean : lean);
@@ -92,7 +93,7 @@ class InkWalk {
     const std::uint32_t along = s - (square * 9502 >> 16);
     const auto rows = static_cast<std::int32_t>((static_cast<std::uint32_t>(width_) * along + 16384) >> 15);
     outer_first_ = lean < 0 ? first_ + rows : first_ - rows;
-    if (!has_round_ends()) outer_first_ = first_;
+    if (!is_round) outer_first_ = first_;
   }
 
   /// The breadth of a circle at a distance from its middle, in sixteenths of a row up to 16 `width`, with 16

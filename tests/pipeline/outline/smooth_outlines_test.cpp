@@ -36,6 +36,41 @@ TEST_CASE("Smooth outlines: a band with a row more on both sides gives the pixel
 }
 
 TEST_CASE(
+    "Smooth outlines: a band may begin with the last two rows of the one above, from before smoothing") {
+  Random random(49);
+  for (int i = 0; i < share_of(60); ++i) {
+    const OutlineScene scene(random, i % 2 != 0);
+    const Rect& all = scene.bounds();
+    Picture whole(all);
+    scene.draw(whole);
+    REQUIRE(ok(smooth(scene.outlines, whole)));
+    const std::int32_t rows = random.integer(1, 30);
+    const std::ptrdiff_t two_rows = 2 * all.right;
+    std::vector<std::uint16_t> colours;
+    std::vector<std::uint16_t> depths;
+    for (std::int32_t top = 0; top < all.bottom; top += rows) {
+      const Rect sent{0, top, all.right, std::min(all.bottom, top + rows)};
+      const std::int32_t end = std::min(all.bottom, sent.bottom + 1);
+      Picture band({0, std::max(0, top - 1), all.right, end});
+      if (const std::int32_t first = top == 0 ? 0 : top + 1; first < end) {
+        Picture drawn({0, first, all.right, end});
+        scene.draw(drawn);
+        std::copy(drawn.colours.begin(), drawn.colours.end(),
+                  band.colours.end() - static_cast<std::ptrdiff_t>(drawn.colours.size()));
+        std::copy(drawn.depths.begin(), drawn.depths.end(),
+                  band.depths.end() - static_cast<std::ptrdiff_t>(drawn.depths.size()));
+      }
+      std::copy(colours.begin(), colours.end(), band.colours.begin());
+      std::copy(depths.begin(), depths.end(), band.depths.begin());
+      colours.assign(band.colours.end() - two_rows, band.colours.end());
+      REQUIRE(ok(smooth(scene.outlines, band)));
+      depths.assign(band.depths.end() - two_rows, band.depths.end());
+      CHECK(same_pixels(whole, band, sent));
+    }
+  }
+}
+
+TEST_CASE(
     "Smooth outlines: a rectangle with a pixel more on all sides gives the pixels of the whole picture") {
   Random random(47);
   for (int i = 0; i < share_of(60); ++i) {

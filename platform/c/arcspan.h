@@ -190,7 +190,7 @@ arcspan_status arcspan_bounds(const arcspan_scene* scene, arcspan_object object,
 typedef struct arcspan_character arcspan_character;
 
 /* The bytes of memory, at any address, that arcspan_add_character() takes for the model in a binary; 0 if it
- * cannot be read, whatever is compiled. */
+ * cannot be read, or without ARCSPAN_C_CHARACTERS. Other settings are not looked at. */
 size_t arcspan_character_bytes(const void* binary, size_t bytes);
 /* Adds the model in a binary together with what moves it: nodes, skins, morph targets and clips. The memory
  * must stay where it is. The character is at rest. Returns the statuses of arcspan_add_binary(), and also

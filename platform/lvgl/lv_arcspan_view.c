@@ -181,7 +181,7 @@ static void prepare(lv_arcspan_view_t* view) {
   measure_picture(view);
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
-  if (view->status == ARCSPAN_OK) view->status = view->is_refreshing ? view->turn_status : turn_object(view);
+  if (view->status == ARCSPAN_OK) view->status = view->is_turned ? view->turn_status : turn_object(view);
   if (view->status == ARCSPAN_OK) view->status = give_outlines(view);
   if (view->status == ARCSPAN_OK) view->status = arcspan_prepare(view->view);
   if (view->status == ARCSPAN_OK) {
@@ -199,8 +199,8 @@ static void lay_out(lv_event_t* e) { lv_obj_update_layout(lv_event_get_user_data
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
   /* A hidden view leaves the object to the visible one, as of another tab. */
-  if (!view->changed || view->scene == NULL || !lv_obj_is_visible(&view->obj)) return;
-  view->turn_status = turn_object(view);
+  view->is_turned = view->changed && view->scene != NULL && lv_obj_is_visible(&view->obj);
+  if (view->is_turned) view->turn_status = turn_object(view);
 }
 
 /* Of the display, before it finds out what to draw. */
@@ -214,7 +214,9 @@ static void on_refresh_start(lv_event_t* e) {
 }
 
 static void on_refresh_end(lv_event_t* e) {
-  ((lv_arcspan_view_t*)lv_event_get_user_data(e))->is_refreshing = false;
+  lv_arcspan_view_t* const view = lv_event_get_user_data(e);
+  view->is_refreshing = false;
+  view->is_turned = false;
 }
 
 /* Drawing */
@@ -314,7 +316,8 @@ static void draw_main(lv_event_t* e) {
   }
   lv_area_t area;
   if (!drawn_area(view, &area) || !lv_area_intersect(&area, &area, &layer->_clip_area)) return;
-  const lv_opa_t opa = layer->opa; /* of the view and its parents, but not of those above a snapshot */
+  const lv_opa_t opa =
+      layer->opa; /* LVGL's own: in a snapshot without that of its object and of what holds it */
   if (opa <= LV_OPA_MIN) return;
   lv_area_t corners;
   const int32_t radius = corner_radius(&view->obj, &corners);

@@ -28,9 +28,10 @@ typedef struct {
   arcspan_length scale;
   arcspan_object turned;
   arcspan_status status;
-  arcspan_status turn_status; /* of turning the object for this refresh */
+  arcspan_status turn_status; /* of turning the object for this refresh, if is_turned */
   bool changed;               /* since the last frame */
   bool is_refreshing;         /* the display is being refreshed */
+  bool is_turned;             /* the object was turned before this refresh */
   lv_area_t shown;            /* by the frame on the screen, from the widget's corner on; empty if x1 > x2 */
   lv_area_t inset;    /* of the picture of the last frame from the sides of the widget, as positive numbers */
   arcspan_rect drawn; /* by the last frame, in the picture; empty if it is not shown */

@@ -479,6 +479,28 @@ TEST_CASE("a hidden view does not turn the object that another one turns") {
   CHECK((screen.pixels == pixels));
 }
 
+TEST_CASE("a view that an event of the refresh shows turns its object for it") {
+  Screen screen;
+  BallScene balls;
+  const auto show = [](lv_event_t* e) {
+    if (lv_obj_t* const view = *static_cast<lv_obj_t**>(lv_event_get_user_data(e)))
+      lv_obj_set_hidden(view, false);
+  };
+  lv_obj_t* hidden = nullptr;
+  lv_display_add_event_cb(lv_display_get_default(), show, LV_EVENT_REFR_START, &hidden);
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  lv_obj_set_hidden(view, true);
+  screen.refresh();
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.5));
+  hidden = view;
+  screen.refresh();
+  const auto pixels = screen.pixels;
+  lv_arcspan_view_update(view);
+  screen.refresh();
+  CHECK((screen.pixels == pixels));
+}
+
 TEST_CASE("the view of a widget is there to pick in, from the first frame on") {
   Screen screen;
   BallScene balls;

@@ -15,7 +15,7 @@ class OutlineDepth {
  public:
   /// `exchanged` says that the edge is walked by columns: for rows read columns.
   ARCSPAN_INLINE void begin(const OutlineEdge& edge, bool exchanged) {
-    const std::int32_t difference = edge.from.z - edge.to.z;
+    const std::int32_t difference = std::int32_t{edge.from.z} - edge.to.z;
     const std::int32_t below = difference & (difference >> 31);  // branchless: 0 if `to` is nearer
     edge_ = &edge;
     nearest_ = static_cast<std::uint16_t>(edge.to.z + below);
@@ -47,7 +47,7 @@ class OutlineDepth {
     }
     if (part < 0) part = 0;
     if (part > whole) part = whole;
-    return wrap_mul(depth + 1 - from.z, whole) <= wrap_mul(to.z - from.z, part);
+    return wrap_mul(depth + 1 - from.z, whole) <= wrap_mul(std::int32_t{to.z} - from.z, part);
   }
 
   const OutlineEdge* edge_ = nullptr;

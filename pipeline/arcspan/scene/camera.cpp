@@ -50,7 +50,18 @@ Rotation product(const Rotation& a, const Rotation& b) {
   return rotation;
 }
 
+/// The component of a vector along axis `i` of a rotation.
+std::int64_t along(const Rotation& rotation, std::size_t i, const std::array<std::int64_t, 3>& vector) {
+  std::int64_t sum = 0;
+  for (std::size_t j = 0; j < 3; ++j) sum += detail::product30(rotation.m[i][j].raw(), vector[j]);
+  return sum;
+}
+
 }  // namespace
+
+std::int64_t Camera::distance_to(const WorldPoint& point) const {
+  return -along(rotation_, 2, detail::difference(eye_, point));
+}
 
 bool Camera::place(const WorldPoint& position, const Rotation& rotation, WorldLength scale,
                    ClipTransform& transform) const {
@@ -61,7 +72,7 @@ bool Camera::place(const WorldPoint& position, const Rotation& rotation, WorldLe
   // The near plane is converted too. Where it is farther away than the object, it hides the object.
   std::uint64_t largest = static_cast<std::uint64_t>(near_);
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) view[i] += detail::product30(rotation_.m[i][j].raw(), from_eye[j]);
+    view[i] = along(rotation_, i, from_eye);
     if (i == 2) view[i] -= set_back_;
     largest |= static_cast<std::uint64_t>(detail::magnitude64(view[i]));
   }

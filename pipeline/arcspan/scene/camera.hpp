@@ -136,6 +136,10 @@ class Camera {
   [[nodiscard]] bool place(const WorldPoint& position, const Rotation& rotation, WorldLength scale,
                            ClipTransform& transform) const;
 
+  /// How far a point of the world lies before the eye, along the view: 16 fraction bits, below 2^33 in
+  /// magnitude, negative behind it.
+  [[nodiscard]] std::int64_t distance_to(const WorldPoint& point) const;
+
   /// Returns where a point of the world appears. It is within 1/16 of a pixel, and the rounding of 16
   /// fraction bits of a world unit, of the exact place. A camera that has not been made sees nothing
   /// (`in_front` is false).

@@ -36,14 +36,6 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
   return is_beyond(sphere, extent, 2 * begin - size - 1, -1) || is_beyond(sphere, extent, 2 * end - size, 1);
 }
 
-/// True if the middle of the sphere of `a` is farther away than that of `b`. Their w have different scales,
-/// so both are compared in units of the near plane. Depths would be equal beyond the far plane, before the
-/// near one, and where a step of depth is long.
-[[nodiscard]] bool is_farther(const SceneSlot& a, const SceneSlot& b) {
-  return std::int64_t{a.sphere.middle.w} * b.transform.near_w() >
-         std::int64_t{b.sphere.middle.w} * a.transform.near_w();
-}
-
 [[nodiscard]] Status check_lights(const LightList& lights) {
   if (lights.lights.size() > std::tuple_size_v<decltype(ObjectLights::lights)>) return Status::kTooManyLights;
   for (const SceneLight& light : lights.lights) {
@@ -92,7 +84,7 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
 /// Inserts the last slot into the order, behind those that are as near.
 void insert_into_order(const SceneFrame& frame, std::size_t last) {
   std::size_t i = last;
-  for (; i > 0 && is_farther(frame.slots[frame.order[i - 1]], frame.slots[last]); --i) {
+  for (; i > 0 && frame.slots[frame.order[i - 1]].distance > frame.slots[last].distance; --i) {
     frame.order[i] = frame.order[i - 1];
   }
   frame.order[i] = static_cast<std::uint16_t>(last);
@@ -103,6 +95,7 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
   if (!camera.place(object.position, object.rotation, object.scale, slot.transform)) return false;
   slot.object = &object;
   slot.sphere = clip_sphere(slot.transform, object.sphere());
+  slot.distance = static_cast<std::int32_t>(camera.distance_to(object.middle()) >> 2);
   const Viewport& viewport = camera.viewport();
   return !is_outside(slot, {0, 0, viewport.width, viewport.height});
 }

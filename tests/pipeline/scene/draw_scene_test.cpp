@@ -242,6 +242,22 @@ TEST_CASE("objects are ordered where steps of depth do not tell them apart") {
   }
 }
 
+TEST_CASE("objects with the same middle are in the order of the scene, whatever their scale") {
+  for (int step = 0; step < 200; ++step) {
+    std::vector<Object> objects;
+    for (const int number : {0, 1}) {
+      objects.emplace_back(kBallView, kRed);
+      objects.back().scale = to_world((step + number) % 2 == 0 ? 1 : 1.1);
+    }
+    const Camera camera = looking({0.3, 0.2, 3 + 0.01 * step}, {0, 0, 0});
+    REQUIRE(ok(prepare_scene({camera, kLights, objects}, memory_of_scene)));
+    const detail::SceneFrame frame = memory_of_scene.frame();
+    REQUIRE(frame.header.in_view == 2);
+    CAPTURE(step);
+    CHECK(frame.slots[frame.order[0]].object == objects.data());
+  }
+}
+
 TEST_CASE("invisible objects and objects behind the camera are not drawn") {
   std::vector<Object> objects(3, Object(kBallView, kRed));
   objects[0].visible = false;

@@ -19,10 +19,20 @@ namespace {
 using Sink = hal::Framebuffer<Rgb565>;
 using Gap = OutlineGap<Rgb565>;
 
-/// The list of gaps that smoothing blends, which counts how often a gap is put into it.
+/// The list of gaps that smoothing blends, which counts how often a gap is put into it, and how often the
+/// nearest depth of an edge does not tell that a pixel is behind it.
 struct CountedGaps : arcspan::detail::GapList<Sink> {
   using GapList::GapList;
 
+  bool may_be_own(std::uint16_t stored) const {
+    const bool own = GapList::may_be_own(stored);
+    if (!own) ++nearer;
+    return own;
+  }
+  Outer outer_of(std::uint16_t stored, std::uint32_t pixel) const {
+    if (!GapList::may_be_own(stored)) --nearer;  // asked once more by OutlineSmoother::put()
+    return GapList::outer_of(stored, pixel);
+  }
   void put(std::uint32_t pixel, const arcspan::detail::GapOutline& outline, Outer outer, std::uint16_t* at,
            const std::uint16_t* inner) {
     ++puts;
@@ -30,6 +40,7 @@ struct CountedGaps : arcspan::detail::GapList<Sink> {
   }
 
   double puts = 0;
+  mutable double nearer = 0;
 };
 
 /// The pixels that are inked, which counts what is asked of it.
@@ -118,6 +129,7 @@ class BandCounter {
       events_.rows += found.all_rows;
     }
     events_.gaps += list.puts;
+    events_.nearer += list.nearer;
     for (const Gap& gap : gaps_) {
       if (gap.x == kUntouched) break;
       ++events_.entries;
@@ -248,6 +260,7 @@ std::vector<CostTerm> OutlineEvents::terms() const {
                                {"edge", edges},
                                {"walk", walks},
                                {"row", rows},
+                               {"nearer pixel", nearer},
                                {"gap", gaps},
                                {"entry", entries},
                                {"blended pixel", blended},

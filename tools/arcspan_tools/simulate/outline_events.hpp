@@ -28,6 +28,7 @@ struct OutlineEvents {
   double edges = 0;    ///< of the outlines
   double walks = 0;    ///< edges that have rows in the band
   double rows = 0;     ///< of these walks
+  double nearer = 0;   ///< pixels nearer than an end of the edge, whose depth in the row is compared
   double gaps = 0;     ///< put into the list, which may refuse them
   double entries = 0;  ///< of the list
   double blended = 0;  ///< pixels

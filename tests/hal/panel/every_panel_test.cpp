@@ -166,6 +166,45 @@ TEMPLATE_TEST_CASE("only changed areas are sent, and the picture is whole", "", 
   }
 }
 
+TEMPLATE_TEST_CASE("changes are whole after the picture was turned by half", "", ARCSPAN_EVERY_PANEL) {
+  using Driver = typename TestType::Driver;
+  using Mode = PageMode<Driver>;
+  using Format = typename Driver::Layout::Format;
+  TestType bench;
+  REQUIRE(bench.panel.start() == Status::kOk);
+  const std::int32_t width = bench.panel.width();
+  const std::int32_t height = bench.panel.height();
+  std::vector<typename Mode::Frame::Word> band(Mode::Frame::words(width, 8));
+  std::vector<std::uint8_t> wire(wire_bytes<Driver>(width, 8));
+  std::vector<RowExtent> extents(Damage::extents(height));
+  Damage damage(extents, width, height);
+  Mode mode(bench.panel, band, wire, 8);
+  const auto pixel = [](auto& sink, const Rect& bounds) {
+    const Span run{5, 3, 1};
+    if (run.y < bounds.top || run.y >= bounds.bottom) return Status::kOk;
+    sink.open(run).write(Format::encode(Rgb8{255, 240, 250}));
+    return sink.close(run);
+  };
+  std::uint64_t bytes[3] = {};  // of a whole frame, of the one after a turn, and of one without a change
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Orientation o = i == 0 ? Orientation::k0 : Orientation::k180;
+    REQUIRE(bench.panel.set({.orientation = o}) == Status::kOk);
+    const std::uint64_t before = bench.bus.count().bytes;
+    REQUIRE(mode.show_changes(damage, [&](auto& sink, auto& frame) {
+      frame.clear({0, 0, 40});
+      return pixel(sink, frame.bounds());
+    }) == Status::kOk);
+    bytes[i] = bench.bus.count().bytes - before;
+    std::vector<typename Mode::Frame::Word> memory(Mode::Frame::words(width, height));
+    typename Mode::Frame whole(memory, width, height);
+    whole.clear({0, 0, 40});
+    REQUIRE(pixel(whole, whole.bounds()) == Status::kOk);
+    CHECK(bench.device.picture() == expected(whole, o));
+  }
+  CHECK(bytes[1] == bytes[0]);
+  CHECK(bytes[2] < bytes[0] / 2);
+}
+
 TEMPLATE_TEST_CASE("inversion, brightness, sleep and wake arrive", "", ARCSPAN_EVERY_PANEL) {
   TestType bench;
   CHECK(bench.panel.sleep() == Status::kNotReady);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/hal/panel/glass.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
 
@@ -68,6 +69,14 @@ class Damage {
     mark_everything();
   }
 
+  /// Declares that frames are shown in this orientation from now on: after another one all is changed,
+  /// because a controller that turns the picture keeps its memory as it is.
+  constexpr void set_orientation(Orientation orientation) {
+    if (orientation == orientation_) return;
+    orientation_ = orientation;
+    mark_everything();
+  }
+
   /// Records `run` as drawn. Ignores runs that do not lie inside the picture.
   constexpr void mark(const Span& run) {
     if (!ok(status_) || run.count <= 0 || run.y < 0 || run.y >= height_ || run.x < 0 ||
@@ -105,6 +114,7 @@ class Damage {
   std::int32_t width_;
   std::int32_t height_;
   Rgb8 background_{};
+  Orientation orientation_ = Orientation::k0;
   unsigned current_ = 0;
   bool everything_ = true;
   bool next_everything_ = true;

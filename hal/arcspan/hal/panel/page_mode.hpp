@@ -65,11 +65,13 @@ class PageMode {
 
   /// As show(), but sends only the area that differs from the last frame. `draw(sink, band)` clears `band`
   /// and draws into `sink`. Returns kInvalidArgument and draws nothing unless `damage` has the panel's size.
-  /// After a failure the next frame is sent whole.
+  /// After a failure or a change of orientation the next frame is sent whole. What else changes the picture
+  /// on the glass, such as show() and start(), `damage` does not see: call its mark_everything() then.
   template <class Draw>
   Status show_changes(Damage& damage, Draw&& draw) {
     if (damage.width() != panel_.width() || damage.height() != panel_.height())
       return Status::kInvalidArgument;
+    damage.set_orientation(panel_.settings().orientation);
     damage.begin_frame();
     const Status status = for_each_band(
         [&](Frame& band) {

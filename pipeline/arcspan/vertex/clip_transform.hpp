@@ -97,8 +97,7 @@ struct ClipPosition {
   std::int32_t w;
 };
 
-/// The values of w between the near and the far plane, both ends included; 1...2^30. The farthest is rounded
-/// up.
+/// The w between the near and the far plane, both ends included; 1...2^30. The farthest is rounded up.
 struct WRange {
   std::int32_t nearest = 1;
   std::int32_t farthest = 1;

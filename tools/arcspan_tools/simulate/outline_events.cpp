@@ -19,8 +19,8 @@ namespace {
 using Sink = hal::Framebuffer<Rgb565>;
 using Gap = OutlineGap<Rgb565>;
 
-/// The list of gaps that smoothing blends, which counts how often a gap is put into it, and how often the pixel
-/// outside is nearer than an end of the edge.
+/// The list of gaps that smoothing blends, which counts how often a gap is put into it, and how often the
+/// pixel outside is nearer than an end of the edge.
 struct CountedGaps : arcspan::detail::GapList<Sink> {
   using GapList::GapList;
 

@@ -20,18 +20,21 @@ using Sink = hal::Framebuffer<Rgb565>;
 using Gap = OutlineGap<Rgb565>;
 
 /// The list of gaps that smoothing blends, which counts how often a gap is put into it, and how often the
-/// pixel outside is nearer than an end of the edge.
+/// depth of a pixel is between those of the ends of the edge.
 struct CountedGaps : arcspan::detail::GapList<Sink> {
   using GapList::GapList;
 
   bool may_be_own(std::uint16_t stored) const {
     const bool own = GapList::may_be_own(stored);
-    if (!own) ++nearer;
+    if (!own && !is_known) count(stored);
+    is_known = false;
     return own;
   }
   Outer outer_of(std::uint16_t stored, std::uint32_t pixel) const {
-    if (!GapList::may_be_own(stored)) --nearer;  // asked once more by OutlineSmoother::put()
-    return GapList::outer_of(stored, pixel);
+    const Outer outer = GapList::outer_of(stored, pixel);
+    if (GapList::may_be_own(stored)) count(outer.depth);
+    is_known = true;
+    return outer;
   }
   void put(std::uint32_t pixel, const arcspan::detail::GapOutline& outline, Outer outer, std::uint16_t* at,
            const std::uint16_t* inner) {
@@ -39,8 +42,17 @@ struct CountedGaps : arcspan::detail::GapList<Sink> {
     GapList::put(pixel, outline, outer, at, inner);
   }
 
+  const OutlineEdge* edge = nullptr;
   double puts = 0;
-  mutable double nearer = 0;
+  mutable double between = 0;
+
+ private:
+  void count(std::uint16_t depth) const {
+    const auto [nearest, farthest] = std::minmax(edge->from.z, edge->to.z);
+    if (depth >= nearest && depth < farthest) ++between;
+  }
+
+  mutable bool is_known = false;  ///< OutlineSmoother::put() asks for a pixel once more
 };
 
 /// The pixels that are inked, which counts what is asked of it.
@@ -115,7 +127,11 @@ class BandCounter {
               const DepthBuffer& depth) {
     for (Gap& gap : gaps_) gap.x = kUntouched;
     CountedGaps list(sink_, depth, gaps_);
-    arcspan::detail::find_gaps(outlines, scissor, depth, list);
+    arcspan::detail::OutlineSmoother<CountedGaps> smoother(scissor, depth, list);
+    for (const OutlineEdge& edge : outlines.edges()) {
+      list.edge = &edge;
+      smoother.smooth(edge);
+    }
     list.apply();
     ++events_.bands;
     events_.edges += static_cast<double>(outlines.edges().size());
@@ -129,7 +145,7 @@ class BandCounter {
       events_.rows += found.all_rows;
     }
     events_.gaps += list.puts;
-    events_.nearer += list.nearer;
+    events_.between += list.between;
     for (const Gap& gap : gaps_) {
       if (gap.x == kUntouched) break;
       ++events_.entries;
@@ -202,6 +218,8 @@ void count_neighbours(const MeshNeighbours& neighbours, const std::vector<Triang
   for (std::size_t i = 0; i < neighbours.triangle_count(); ++i) {
     const unsigned kinds = *at++;
     const std::uint8_t* const first = at;
+    if (const unsigned distances = arcspan::detail::short_distances(kinds); distances != 1 && distances != 2)
+      ++events.uncommon;
     bool differs = arcspan::detail::is_seen(sides[i]) && !arcspan::detail::has_ordinary_edges(kinds);
     for (unsigned edge = 0; edge < 3; ++edge)
       if (arcspan::detail::has_distance(arcspan::detail::edge_kind(kinds, edge)))
@@ -251,6 +269,7 @@ std::vector<CostTerm> OutlineEvents::terms() const {
                                {"banded object", banded_objects},
                                {"triangle", triangles},
                                {"scanned triangle", scanned},
+                               {"uncommon triangle", uncommon},
                                {"neighbour byte", distances},
                                {"differing triangle", differing},
                                {"listed edge", listed},
@@ -260,7 +279,7 @@ std::vector<CostTerm> OutlineEvents::terms() const {
                                {"edge", edges},
                                {"walk", walks},
                                {"row", rows},
-                               {"nearer pixel", nearer},
+                               {"compared depth", between},
                                {"gap", gaps},
                                {"entry", entries},
                                {"blended pixel", blended},

@@ -18,6 +18,7 @@ struct OutlineEvents {
   double banded_objects = 0;
   double triangles = 0;     ///< whose side is that of their rows, which drawing keeps
   double scanned = 0;       ///< triangles whose neighbours are compared
+  double uncommon = 0;      ///< of these: without one or two distances of a byte, or with marks
   double distances = 0;     ///< bytes of the numbers of these neighbours
   double differing = 0;     ///< triangles whose edges are looked at one by one
   double listed = 0;        ///< edges
@@ -28,7 +29,7 @@ struct OutlineEvents {
   double edges = 0;    ///< of the outlines
   double walks = 0;    ///< edges that have rows in the band
   double rows = 0;     ///< of these walks
-  double nearer = 0;   ///< pixels nearer than an end of the edge, whose depth in the row is compared
+  double between = 0;  ///< depths between those of an edge's ends, which are compared with that of a row
   double gaps = 0;     ///< put into the list, which may refuse them
   double entries = 0;  ///< of the list
   double blended = 0;  ///< pixels

@@ -90,12 +90,23 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
   frame.order[i] = static_cast<std::uint16_t>(last);
 }
 
+/// The distance of the middle of an object's sphere, for SceneSlot. That of the origin is exact, so that
+/// objects in the same place have the same, whatever their scales.
+[[nodiscard]] std::int32_t distance_of(const Object& object, const Camera& camera, const SceneSlot& slot) {
+  const std::int64_t from_origin = std::int64_t{slot.sphere.middle.w} - slot.transform.offset(2);
+  const std::int64_t scaled = from_origin * object.scale.raw();
+  const int shift = slot.transform.w_bits() + 15;  // 32768 object units are the scale
+  const std::int64_t more =
+      shift >= 0 ? scaled >> shift : static_cast<std::int64_t>(static_cast<std::uint64_t>(scaled) << -shift);
+  return static_cast<std::int32_t>((camera.distance_to(object.position) + more) >> 3);
+}
+
 /// Sets up a slot for an object. Returns false if the object is not in view.
 [[nodiscard]] bool set_up(const Object& object, const Camera& camera, SceneSlot& slot) {
   if (!camera.place(object.position, object.rotation, object.scale, slot.transform)) return false;
   slot.object = &object;
   slot.sphere = clip_sphere(slot.transform, object.sphere());
-  slot.distance = static_cast<std::int32_t>(camera.distance_to(object.middle()) >> 2);
+  slot.distance = distance_of(object, camera, slot);
   const Viewport& viewport = camera.viewport();
   return !is_outside(slot, {0, 0, viewport.width, viewport.height});
 }

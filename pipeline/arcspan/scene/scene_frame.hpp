@@ -46,7 +46,7 @@ struct SceneSlot {
   const UseFacts* held;           ///< the use that has written the vertices, or null
   TriangleRows* rows;             ///< memory for the rows of the triangles of all parts, in turn, or null
   std::size_t vertex_bytes;       ///< that the vertices take at most, 0 without memory for any
-  std::int32_t distance;          ///< Camera::distance_to() the sphere's middle, 14 fraction bits
+  std::int32_t distance;          ///< Camera::distance_to() the sphere's middle, 13 fraction bits
   std::uint16_t end_of_curves;    ///< set by find_outlines() with curves
   std::uint16_t parts_with_rows;  ///< from the first one on; parts are drawn in turn, or drawing ends
 };

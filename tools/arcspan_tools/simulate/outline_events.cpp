@@ -26,14 +26,14 @@ struct CountedGaps : arcspan::detail::GapList<Sink> {
 
   bool may_be_own(std::uint16_t stored) const {
     const bool own = GapList::may_be_own(stored);
-    if (!own && !is_known) count(stored);
-    is_known = false;
+    if (!own && !is_known_) count(stored);
+    is_known_ = false;
     return own;
   }
   Outer outer_of(std::uint16_t stored, std::uint32_t pixel) const {
     const Outer outer = GapList::outer_of(stored, pixel);
     if (GapList::may_be_own(stored)) count(outer.depth);
-    is_known = true;
+    is_known_ = true;
     return outer;
   }
   void put(std::uint32_t pixel, const arcspan::detail::GapOutline& outline, Outer outer, std::uint16_t* at,
@@ -52,7 +52,7 @@ struct CountedGaps : arcspan::detail::GapList<Sink> {
     if (depth >= nearest && depth < farthest) ++between;
   }
 
-  mutable bool is_known = false;  ///< OutlineSmoother::put() asks for a pixel once more
+  mutable bool is_known_ = false;  ///< OutlineSmoother::put() asks for a pixel once more
 };
 
 /// The pixels that are inked, which counts what is asked of it.

@@ -76,8 +76,8 @@ class OutlineInker {
     depth_.begin(edge, way.exchanged);
   }
 
-  /// Inks a row outward from the edge as far as `reach`, as share_of() has it. `at` is the outer one of the
-  /// first two pixels of the row; `column` is that of the walk, from there.
+  /// Inks a row outward from the edge. `at` is OutlineWay::first moved to this row, `column` the walk's,
+  /// counted from the first one of the rectangle, and `reach` how far the ink goes, as share_of() takes it.
   ARCSPAN_INLINE void ink_row(OutlinePixel at, std::int32_t column, std::int32_t reach, std::int32_t row) {
     const OutlineWay& way = *way_;
     const OutlineStep outward = way.outward;

@@ -76,8 +76,8 @@ class EdgeFinder {
   }
 
  private:
-  /// True if a triangle, whatever its neighbours are, certainly has no outline: all show the same side, and
-  /// it has neither border nor crease or is not seen. Then `at` goes to the next one.
+  /// For any triangle: true if it certainly has no outline, because its later neighbours show the same side,
+  /// and it has no border or crease that is seen. Then `at` goes to the next triangle.
   ARCSPAN_INLINE static bool has_none(const TriangleSide* next_side, const std::uint8_t*& at) {
     const TriangleSide own = next_side[-1];
     const unsigned kinds = *at;

@@ -140,6 +140,49 @@ TEST_CASE("no pixel shows a point of the texture more than half a texel away") {
   CHECK(texels(largest_errors<Plain>(8, count / 4, 1000, 1, 1000, 10, 3)) <= 0.5);
 }
 
+TEST_CASE("where one side of a texture repeats often, the other one is as exact as without") {
+  constexpr unsigned kWidth = 4;
+  constexpr unsigned kHeight = 10;
+  Random random(61);
+  const Plain::Lighting lighting = lighting_of<Plain>(kWidth, kHeight);
+  double worst = 0;
+  for (int i = 0; i < test::share_of(400); ++i) {
+    const double ratio = i % 2 == 0 ? 1 : random.decades(1, 300);
+    MappedTriangle<Plain> triangle = random_triangle<Plain>(random, 240, ratio, random.decades(10, 400));
+    for (RasterVertex<Plain>& vertex : triangle.vertices) vertex.shade.point.v >>= 10;
+    for_each_pixel(triangle, lighting, 240, [&](std::int32_t x, std::int32_t y, const auto& run) {
+      const auto point = triangle.at(x, y);
+      worst = std::max({worst, texels_off(run.steps().u(), point.u, kWidth),
+                        texels_off(run.steps().v(), point.v, kHeight)});
+    });
+  }
+  CHECK(worst <= 0.5);
+}
+
+TEST_CASE("where pixels are more than half a repetition apart, their mip level is that of the others") {
+  constexpr unsigned kBits = 4;
+  Random random(62);
+  const Plain::Lighting lighting = lighting_of<Plain>(kBits, kBits, kBits + 1);
+  const TextureSize& size = lighting.texture.size();
+  const std::int32_t extent = GENERATE(240, 12);
+  int pixels = 0;
+  int wrong = 0;
+  for (int i = 0; i < test::share_of(extent == 240 ? 300 : 6000); ++i) {
+    MappedTriangle<Plain> triangle =
+        random_triangle<Plain>(random, extent, i % 2 == 0 ? 1 : 8, extent * random.decades(0.1, 4));
+    // One side repeats less often, so that the longer side of a pixel decides.
+    for (RasterVertex<Plain>& vertex : triangle.vertices) vertex.shade.point.v >>= 4;
+    for_each_pixel(triangle, lighting, extent, [&](std::int32_t x, std::int32_t y, const auto& run) {
+      ++pixels;
+      const double off = level_of(run, lighting.texture) - level_wanted(triangle, x, y, size);
+      wrong += std::abs(off) > 0.75 ? 1 : 0;
+    });
+  }
+  CAPTURE(pixels, wrong);
+  // Rows of one pixel have no step: what they show may be sharper.
+  CHECK(wrong < pixels / (extent == 240 ? 50 : 8));
+}
+
 TEST_CASE(
     "a level of light that is stepped together with u and v is rounded, and leaves them where they are") {
   const int count = test::share_of(300);

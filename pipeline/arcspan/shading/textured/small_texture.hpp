@@ -39,6 +39,12 @@ class SmallCoordinate {
       return wrap_add(wrap_mul(to_middle_, b), wrap_mul(to_bottom_, c));
     }
   }
+  /// True if the change where b and c change by these is half a repetition or more, so that a word that wraps
+  /// does not hold it.
+  [[nodiscard]] constexpr bool wraps(std::int32_t b, std::int32_t c) const {
+    const std::int64_t sum = std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c;
+    return sum != static_cast<std::int32_t>(sum);
+  }
 
  private:
   std::uint32_t at_;        ///< at the top vertex
@@ -54,7 +60,7 @@ struct SmallTexture : TextureLevel {
   std::uint64_t step;  ///< per pixel
 
   /// Prepares the texture of a triangle between three RasterVertex. Returns false if u and v are too far from
-  /// linear on the screen.
+  /// linear on the screen, or their steps too wide to find a mip level by.
   template <TextureFilter Filter, class Raster>
   [[nodiscard]] constexpr bool prepare(const Raster& top, const Raster& middle, const Raster& bottom,
                                        const TextureSize& size, const SmallTriangle& triangle) {
@@ -73,6 +79,7 @@ struct SmallTexture : TextureLevel {
     if (!detail::is_nearly_linear(*this, range_u.range(), range_v.range(), w)) return false;
     u.prepare(corners.at[0].u, corners.at[1].u, corners.at[2].u);
     v.prepare(corners.at[0].v, corners.at[1].v, corners.at[2].v);
+    if (loses_steps(size, range_u, range_v, triangle)) return false;
     const std::int32_t du = u.change(triangle.d_middle, triangle.d_bottom, *this);
     const std::int32_t dv = v.change(triangle.d_middle, triangle.d_bottom, *this);
     if (size.levels != 1) set(size, detail::level_for<Steps>(size, log_area, du, dv, *this));
@@ -86,6 +93,17 @@ struct SmallTexture : TextureLevel {
   [[nodiscard]] ARCSPAN_INLINE constexpr LinearTexture<Steps, false> row(std::int32_t b,
                                                                          std::int32_t c) const {
     return {*this, {u.at(b, c, *this), v.at(b, c, *this)}, step};
+  }
+
+ private:
+  /// True if the mip level needs a step that wraps. Where u and v change by less than half a repetition in
+  /// the triangle, their steps hardly do.
+  [[nodiscard]] constexpr bool loses_steps(const TextureSize& size, const detail::Extent& range_u,
+                                           const detail::Extent& range_v,
+                                           const SmallTriangle& triangle) const {
+    if (Steps::kHasBorders || size.levels == 1 || (range_u.range() | range_v.range()) >> 15 == 0)
+      return false;
+    return u.wraps(triangle.d_middle, triangle.d_bottom) || v.wraps(triangle.d_middle, triangle.d_bottom);
   }
 };
 

@@ -76,15 +76,17 @@ namespace detail {
   return mip_level(size, log_area, log_area >> 1);
 }
 
-/// log2 of the texels of level 0 that u and v change by per pixel, the larger of both, 8 fraction bits. `du`
-/// and `dv` are fractions of 2^spare_bits repetitions in 32 bits.
+/// log2 of the texels of level 0 that u and v change by per pixel, the larger of both, 8 fraction bits.
+/// Shifted to the left by `u_shift` and `v_shift`, which are at most 16, `du` and `dv` are fractions of a
+/// repetition in 32 bits.
 [[nodiscard]] constexpr std::int32_t log_step(const TextureSize& size, std::int32_t du, std::int32_t dv,
-                                              int spare_bits) {
-  const auto texels = [spare_bits](std::int32_t d, int bits) {  // 8 fraction bits
-    return static_cast<std::uint32_t>(d < 0 ? -(d + 1) : d) >> (24 - bits - spare_bits);
+                                              int u_shift, int v_shift) {
+  const auto texels = [](std::int32_t d, int left) {  // 8 fraction bits
+    const auto magnitude = static_cast<std::uint32_t>(d < 0 ? -(d + 1) : d);
+    return left < 0 ? magnitude >> -left : magnitude << left;
   };
-  const std::uint32_t u = texels(du, size.width_bits);
-  const std::uint32_t v = texels(dv, size.height_bits);
+  const std::uint32_t u = texels(du, u_shift + size.width_bits - 24);
+  const std::uint32_t v = texels(dv, v_shift + size.height_bits - 24);
   return low_log2(u > v ? u : v) - 8 * 256;
 }
 
@@ -116,7 +118,8 @@ namespace detail {
 template <class Steps>
 [[nodiscard]] constexpr unsigned level_for(const TextureSize& size, std::int32_t log_area, std::int32_t du,
                                            std::int32_t dv, const TextureLevel& level) {
-  return mip_level(size, log_area, log_step(size, du, dv, Steps::kHasBorders ? level.spare_bits : 0));
+  const int spare = Steps::kHasBorders ? level.spare_bits : 0;
+  return mip_level(size, log_area, log_step(size, du, dv, spare, spare));
 }
 
 }  // namespace detail

@@ -167,8 +167,8 @@ class PerspectiveTexture {
     std::int32_t v;
   };
 
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t grid_word(std::int32_t relative) const {
-    return static_cast<std::uint32_t>(detail::to_word<Steps>(relative, triangle_->word_shift));
+  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t grid_word(std::int32_t relative, int shift) {
+    return static_cast<std::uint32_t>(detail::to_word<Steps>(relative, shift));
   }
   /// u and v at the current pixel, by division.
   [[nodiscard]] ARCSPAN_INLINE constexpr Relative divided() const {
@@ -208,26 +208,27 @@ class PerspectiveTexture {
       q_ = wrap_add(q_, wrap_mul(triangle_->q.dx.raw(), steps));
       end = divided();
       const std::int32_t inverse = detail::kPieceInverses[static_cast<std::size_t>(steps)];
-      const auto step = [&](std::int32_t from, std::int32_t to) {
-        return detail::to_word<Steps>(multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse),
-                                      triangle_->word_shift);
+      const auto step = [inverse](std::int32_t from, std::int32_t to) {
+        return multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse);
       };
       du = step(at_.u, end.u);
       dv = step(at_.v, end.v);
     }
     if (triangle_->size.levels != 1) choose_level(steps, du, dv);
-    std::uint32_t u = triangle_->u_origin + grid_word(at_.u);
-    std::uint32_t v = triangle_->v_origin + grid_word(at_.v);
+    std::uint32_t u = triangle_->u_origin + grid_word(at_.u, triangle_->u_shift);
+    std::uint32_t v = triangle_->v_origin + grid_word(at_.v, triangle_->v_shift);
     if constexpr (Filter == TextureFilter::kBilinear) {
       u -= triangle_->half_texel_u(level_);
       v -= triangle_->half_texel_v(level_);
     }
     steps_.start(u, v);
-    steps_.set_step(du, dv);
+    steps_.set_step(detail::to_word<Steps>(du, triangle_->u_shift),
+                    detail::to_word<Steps>(dv, triangle_->v_shift));
     at_ = end;
     return last ? left : length;
   }
-  /// Chooses the mip level of a piece of steps + 1 pixels that ends at the current 1/w.
+  /// Chooses the mip level of a piece of steps + 1 pixels that ends at the current 1/w. `du` and `dv` are
+  /// relative, because the words of a step lose whole repetitions.
   constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
     const TextureTriangle& t = *triangle_;
     const std::int32_t least = t.least_q >> 1;
@@ -236,7 +237,10 @@ class PerspectiveTexture {
     const std::int32_t log_area = t.log_area - 3 * log_q;
     // A step is K / q^2, with the same K in the whole row.
     if (log_step_ == kUnknown && steps != 0) {
-      log_step_ = detail::log_step(t.size, du, dv, Steps::kHasBorders ? t.spare_bits : 0) + 2 * log_q;
+      const int spare = Steps::kHasBorders ? t.spare_bits : 0;
+      log_step_ = detail::log_step(t.size, du, dv, static_cast<std::int8_t>(t.u_shift) + spare,
+                                   static_cast<std::int8_t>(t.v_shift) + spare) +
+                  2 * log_q;
     }
     const unsigned chosen = log_step_ == kUnknown
                                 ? detail::least_mip_level(t.size, log_area)

@@ -30,20 +30,21 @@ struct TextureWords {
 /// v/w and 1/w are linear, and u and v are their quotients (Blinn, "Hyperbolic Interpolation", 1992).
 ///
 /// Fractions of a repetition in 32 bits wrap. With BorderSteps they are fractions of 2^spare_bits
-/// repetitions, signed, so that they do not, and word_shift is signed.
+/// repetitions, signed, so that they do not, and the shifts are signed.
 struct TextureTriangle : TextureLevel {
   TextureGrid grid;  ///< set if `piece` is 0; otherwise the planes are
-  /// (u - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's largest range of u or v, or
-  /// up to twice that.
+  /// (u - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's range of u and of v, or up
+  /// to twice that.
   LinearPlane u;
   LinearPlane v;
-  LinearPlane q;            ///< 1/w, relative to the nearest vertex
-  std::uint32_t u_origin;   ///< least u, the fraction of a repetition in 32 bits
-  std::uint32_t v_origin;   ///< least v
-  std::int32_t least_q;     ///< least 1/w of the vertices
-  std::int32_t piece_q;     ///< 1/w for which `piece` is made
-  std::uint8_t word_shift;  ///< from a relative u with 28 fraction bits to the fraction of a repetition
-  std::uint8_t piece;       ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
+  LinearPlane q;           ///< 1/w, relative to the nearest vertex
+  std::uint32_t u_origin;  ///< least u, the fraction of a repetition in 32 bits
+  std::uint32_t v_origin;  ///< least v
+  std::int32_t least_q;    ///< least 1/w of the vertices
+  std::int32_t piece_q;    ///< 1/w for which `piece` is made
+  std::uint8_t u_shift;    ///< from a relative u with 28 fraction bits to the fraction of a repetition
+  std::uint8_t v_shift;    ///< the same for v
+  std::uint8_t piece;      ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
   bool middle_left;
   TextureSize size;
   std::int32_t log_area;     ///< in perspective area_at(), otherwise log_area_of(); with mip levels only
@@ -83,6 +84,22 @@ struct TextureTriangle : TextureLevel {
 
 namespace detail {
 
+/// By how many bits u and v are shifted, each so that its own range fits 16 bits: of a range that is much
+/// smaller than the other one, few bits would be left beside that.
+struct TextureShifts {
+  int u;
+  int v;
+
+  constexpr TextureShifts(std::uint32_t range_u, std::uint32_t range_v)
+      : u(shift_of(range_u)), v(shift_of(range_v)) {}
+
+ private:
+  [[nodiscard]] static constexpr int shift_of(std::uint32_t range) {
+    const int fits = std::countl_zero(range | 0xFFFu) - 16;
+    return fits < 4 ? fits : 4;
+  }
+};
+
 /// A relative u or v as a fraction of a repetition. With BorderSteps the shift may be negative.
 template <class Steps>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t to_word(std::int32_t relative, int word_shift) {
@@ -93,7 +110,7 @@ template <class Steps>
   return wrap_shl(relative, word_shift);
 }
 
-/// The word_shift of relative values that are shifted by `shift`.
+/// The u_shift or v_shift of relative values that are shifted by `shift`.
 template <class Steps>
 [[nodiscard]] constexpr std::uint8_t word_shift_of(int shift, const TextureTriangle& t) {
   return static_cast<std::uint8_t>(Steps::kHasBorders ? 4 - shift - t.spare_bits : 4 - shift);
@@ -159,66 +176,72 @@ template <class Steps, bool HasLevel>
   return HasLevel && bits > 10 ? 10 : bits;
 }
 
-/// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shift`. Returns
-/// false if the grid is too coarse for it.
+/// Returns the relative u or v of a corner of a triangle whose u and v are linear, `along` shifted by
+/// `shift`.
+[[nodiscard]] constexpr std::int32_t shifted(std::int32_t along, int shift) {
+  return shift >= 0 ? along << shift : along >> -shift;
+}
+
+/// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shifts` less
+/// `narrow`. Returns false if the grid is too coarse for it.
 template <class Steps, class Levels, class Frame>
 [[nodiscard]] constexpr bool prepare_linearly(const Frame& frame, const TextureCorners& corners,
-                                              const Levels& levels, const MappedPoint& least, int shift,
-                                              TextureTriangle& t) {
+                                              const Levels& levels, const MappedPoint& least,
+                                              const TextureShifts& shifts, int narrow, TextureTriangle& t) {
   constexpr bool kHasLevels = std::same_as<Levels, CornerLevels>;
   // Each step rounds u by half of 2^(height_bits - 32) at most, all together by 1/32 of a texel; beside a
   // level v is rounded by half of 2^-14 texels.
   const std::uint32_t steps =
       (frame.width >> 16) + 2 * (static_cast<std::uint32_t>(frame.long_edge.dy) >> 4) + 1;
   if (steps >> most_step_bits<Steps, kHasLevels>(t) != 0) return false;
-  t.word_shift = word_shift_of<Steps>(shift, t);
+  constexpr int kLeastShift = -27;
+  const int shift_u = shifts.u - narrow < kLeastShift ? kLeastShift : shifts.u - narrow;
+  const int shift_v = shifts.v - narrow < kLeastShift ? kLeastShift : shifts.v - narrow;
+  t.u_shift = word_shift_of<Steps>(shift_u, t);
+  t.v_shift = word_shift_of<Steps>(shift_v, t);
   t.piece = 0;
   std::int32_t u[3];
   std::int32_t v[3];
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t along_u = wrap_sub(corners.at[i].u, least.u);
-    const std::int32_t along_v = wrap_sub(corners.at[i].v, least.v);
-    u[i] = shift >= 0 ? along_u << shift : along_u >> -shift;
-    v[i] = shift >= 0 ? along_v << shift : along_v >> -shift;
+    u[i] = shifted(wrap_sub(corners.at[i].u, least.u), shift_u);
+    v[i] = shifted(wrap_sub(corners.at[i].v, least.v), shift_v);
   }
   std::int32_t du;
   std::int32_t dv;
-  if (!find_step<Steps>(frame, u, t.word_shift, du) || !find_step<Steps>(frame, v, t.word_shift, dv))
-    return false;
+  if (!find_step<Steps>(frame, u, t.u_shift, du) || !find_step<Steps>(frame, v, t.v_shift, dv)) return false;
   if constexpr (kHasLevels) {
     std::int32_t step;
     constexpr int kWordShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 25 of 64ths
     if (!find_step<Steps>(frame, levels.at, kWordShift, step)) return false;
     if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
     const unsigned rounded_bits = JoinedLevel::kBits - t.height_bits;
-    GridCoordinate at_v = grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number),
-                                                 t.word_shift, dv, rounded_bits);
+    GridCoordinate at_v =
+        grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number), t.v_shift, dv, rounded_bits);
     at_v.at =
         static_cast<std::uint32_t>(JoinedPoint::rounded(static_cast<std::int32_t>(at_v.at), rounded_bits));
     at_v.step_down = JoinedPoint::rounded(at_v.step_down, rounded_bits);
-    t.grid.make<Steps>(grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.word_shift,
-                                              du, t.height_bits),
-                       at_v, t.height_bits);
+    t.grid.make<Steps>(
+        grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.u_shift, du, t.height_bits),
+        at_v, t.height_bits);
     t.grid.add_level(grid_coordinate<Steps>(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits,
                                             kWordShift, step, JoinedLevel::kRoundedBits));
   } else {
     if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
     t.grid.make<Steps>(
-        grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.word_shift, du,
-                               t.height_bits),
-        grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number), t.word_shift, dv, 0),
+        grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.u_shift, du, t.height_bits),
+        grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number), t.v_shift, dv, 0),
         t.height_bits);
   }
   return true;
 }
 
-/// Prepares a triangle whose u and v are not linear. `shift` makes the range of u and v fit 16 bits, `narrow`
-/// is by how many bits gradients exceed ranges.
+/// Prepares a triangle whose u and v are not linear. `narrow` is by how many bits gradients exceed ranges.
 template <class Steps, class Frame>
 constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& corners,
-                                      const MappedPoint& least, int shift, int narrow, const Extent& w,
-                                      TextureTriangle& t) {
-  t.word_shift = word_shift_of<Steps>(shift, t);
+                                      const MappedPoint& least, const TextureShifts& shifts, int narrow,
+                                      const Extent& w, TextureTriangle& t) {
+  t.u_shift = word_shift_of<Steps>(shifts.u, t);
+  t.v_shift = word_shift_of<Steps>(shifts.v, t);
   // All values as Linear, of which all 28 bits are used.
   const int up = std::countl_zero(static_cast<std::uint32_t>(w.most) | 1u) - 4;
   std::int32_t q[3];
@@ -228,8 +251,8 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
     const std::int32_t at = corners.near_over_w[i];
     const std::int32_t scaled = (up >= 0 ? wrap_shl(at, up) : at >> -up) >> narrow;
     q[i] = scaled < kLeastQ ? kLeastQ : scaled;
-    f_u[i] = wrap_shl(wrap_sub(corners.at[i].u, least.u), 12 + shift);
-    f_v[i] = wrap_shl(wrap_sub(corners.at[i].v, least.v), 12 + shift);
+    f_u[i] = wrap_shl(wrap_sub(corners.at[i].u, least.u), 12 + shifts.u);
+    f_v[i] = wrap_shl(wrap_sub(corners.at[i].v, least.v), 12 + shifts.v);
   }
   const PrecisePlanes planes(frame);
   const auto over_w = [&](const std::int32_t(&f)[3], LinearPlane& plane) {
@@ -254,7 +277,7 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
     slope_v.add(f_v[i], q[i]);
   }
   const std::uint8_t length =
-      piece_length(t.least_q, slope_u, slope_v, t.width_bits - shift, t.height_bits - shift);
+      piece_length(t.least_q, slope_u, slope_v, t.width_bits - shifts.u, t.height_bits - shifts.v);
   t.piece = length == 0 ? 1 : length;
   t.piece_q = length == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
 }
@@ -317,16 +340,12 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   t.u_origin = detail::word_of<Steps>(least.u, t);
   t.v_origin = detail::word_of<Steps>(least.v, t);
   t.middle_left = frame.middle_left;
-  // Shifted by this, the larger range fits 16 bits.
-  const std::uint32_t range = u.range() > v.range() ? u.range() : v.range();
-  const int fits = std::countl_zero(range | 0xFFFu) - 16;
-  const int shift = fits < 4 ? fits : 4;
+  const detail::TextureShifts shifts(u.range(), v.range());
   // In a triangle narrower than a pixel gradients are larger than ranges, by so many bits.
   const int narrow = frame.width < 0x10000u ? std::countl_zero(frame.width) - 15 : 0;
   if (!detail::is_nearly_linear(t, u.range(), v.range(), w) ||
-      !detail::prepare_linearly<Steps>(frame, corners, levels, least,
-                                       shift - narrow < -27 ? -27 : shift - narrow, t)) {
-    detail::prepare_in_perspective<Steps>(frame, corners, least, shift, narrow, w, t);
+      !detail::prepare_linearly<Steps>(frame, corners, levels, least, shifts, narrow, t)) {
+    detail::prepare_in_perspective<Steps>(frame, corners, least, shifts, narrow, w, t);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/draw.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/lighting/toon.hpp>
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/shading/flat.hpp>
 #include <arcspan/shading/surface/arc.hpp>
@@ -171,4 +172,21 @@ TEST_CASE("a white texture leaves the colours of every method as they are") {
 
 TEST_CASE("an operation is on every pixel of triangles whose rows have runs of several types") {
   CHECK(pixels_without_operation<Arc<OneLight>>() == 0);
+}
+
+TEST_CASE("light on a texture is in steps, whether they are set before or after it is made") {
+  using Painted = WithOperation<Textured<Arc<OneLight>, DirectTexels<>>, ScreenDoor>;
+  const auto smooth = illumination<OneLight>();
+  OneLight toon = smooth;
+  REQUIRE(ok(toon.set_toon(3)));
+  const Painted::Lighting before{Painted::Method::Lighting(toon, kWhiteTexture)};
+  Painted::Lighting after{Painted::Method::Lighting(smooth, kWhiteTexture)};
+  CHECK(after.set_toon(1) == Status::kInvalidArgument);
+  REQUIRE(ok(after.set_toon(3)));
+  for (std::int32_t i = 0; i < 256; ++i) {
+    const OneLight::Scalars scalars{Cosine::from_raw(i << (Cosine::kFraction - 8)),
+                                    Cosine::from_raw(i << (Cosine::kFraction - 8))};
+    REQUIRE(after.factor_at(scalars[0]) == before.factor_at(scalars[0]));
+    REQUIRE(after.shine_at(after, scalars) == before.shine_at(before, scalars));
+  }
 }

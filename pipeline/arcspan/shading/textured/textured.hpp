@@ -266,6 +266,15 @@ struct Textured : Method {
       static_cast<typename Light::Lighting&>(*this) = typename Light::Lighting(light);
       make_tables();
     }
+    /// Illumination::set_toon(), in the tables, too.
+    constexpr Status set_toon(std::int32_t steps) requires requires(typename Light::Lighting& light) {
+      light.set_toon(steps);
+    }
+    {
+      const Status status = Light::Lighting::set_toon(steps);
+      make_tables();
+      return status;
+    }
     /// Whether the texture is shown as its sampler says.
     [[nodiscard]] constexpr bool shows_borders() const {
       return Borders == TextureBorders::kOfTexture || texture.sampler().repeats();

@@ -116,6 +116,7 @@ TEST_CASE("MTL: what is not drawn gets a warning, once") {
   CHECK(warnings("Kd 1 0 0\nNi 1.5\nTf 1 1 1\nd 1\nillum 2\n").empty());
   CHECK(warnings("map_Ks wood.png\nbump b.png\nillum 3\n") ==
         Lines{"left out: bump (2), illum 3 (2), map_Ks (2)"});
+  CHECK(warnings("map_d holes.png\n") == Lines{"left out: opacity from another picture (map_d) (2)"});
   const Lines invisible = {"fully transparent materials (d 0, Tr 1) are drawn opaque"};
   CHECK(warnings("d 0\n") == invisible);
   CHECK(warnings("Tr 1\n") == invisible);

@@ -21,15 +21,13 @@ std::vector<std::string> words_of(const std::string& name) {
 /// Adds the textures of a material.
 void add_textures(const MtlEntry& wanted, const SideFiles& files, FilePictures& pictures, LeftOut& left_out,
                   FileMaterial& material) {
+  const bool is_of_texture = wanted.opacity_map == wanted.colour_map;
+  if (!wanted.opacity_map.empty() && !is_of_texture) left_out.add("opacity from another picture (map_d)");
   if (wanted.colour_map.empty()) return;
   material.texture = pictures.picture(files, wanted.colour_map);
   if (material.texture == nullptr) return;
   if (material.colour == Vec3{}) material.colour = Vec3{1, 1, 1};
-  if (wanted.opacity_map == wanted.colour_map) {
-    material.alpha_mode = alpha_mode_of(material.texture->picture);
-  } else if (!wanted.opacity_map.empty()) {
-    left_out.add("opacity from another picture (map_d)");
-  }
+  if (is_of_texture) material.alpha_mode = alpha_mode_of(material.texture->picture);
 }
 
 std::vector<std::string> list(const std::set<std::string>& names) { return {names.begin(), names.end()}; }

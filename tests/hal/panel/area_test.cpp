@@ -189,3 +189,33 @@ TEST_CASE("a rectangle that cannot be drawn or sent says why, and sends nothing"
   test.note(next, panel.bounds());
   test.check();
 }
+
+TEST_CASE("rectangles of a glass that no controller has are refused, however large it is") {
+  Ili9341Bench bench({}, {65535, 65535, 0, 0, false, false, false, false});
+  std::uint16_t band[1];
+  std::uint8_t wire[1];
+  PageMode<Ili9341> mode(bench.panel, band, wire, 1);
+  constexpr Rect kAll{0, 0, INT32_MAX, INT32_MAX};
+  CHECK(mode.show_areas(kAll, kAll, [](auto&) { return Status::kOk; }) == Status::kBufferTooSmall);
+}
+
+TEST_CASE("a frame that is turned while it is drawn ends there, and the next one is right") {
+  for (const Orientation o : {Orientation::k90, Orientation::k180, Orientation::k270}) {
+    for (int way = 0; way < 3; ++way) {
+      AreaBench<Ssd1351SmallBench> test(Orientation::k0);
+      auto& panel = test.bench.panel;
+      const auto turn = [&](auto&) { return panel.set({.orientation = o}); };
+      std::vector<RowExtent> memory(Damage::extents(panel.height()));
+      Damage damage(memory, panel.width(), panel.height());
+      const Status status =
+          way == 0   ? test.mode.show(turn)
+          : way == 1 ? test.mode.show_area({0, 0, 96, 4}, turn)
+                     : test.mode.show_changes(damage, [&](auto& sink, auto&) { return turn(sink); });
+      CHECK(status == Status::kInvalidArgument);
+      const Scene<Ssd1351SmallBench> next(panel, 2);
+      REQUIRE(test.mode.show_area(panel.bounds(), test.draw(next)) == Status::kOk);
+      CHECK(test.bench.device.picture() == expected(next.frame, o));
+      CHECK(complaints(test.bench) == "");
+    }
+  }
+}

@@ -49,7 +49,8 @@ class PageMode {
   /// Draws and sends a whole frame. Calls `draw(Frame& band)` for each band from top to bottom. The band
   /// still holds the pixels of an earlier one. A status of `draw` other than kOk ends the frame.
   ///
-  /// - kInvalidArgument: `rows` is out of range, or a side of the panel no multiple of the layout's steps
+  /// - kInvalidArgument: `rows` is out of range, a side of the panel no multiple of the layout's steps, or
+  /// `draw` has turned the panel, so that the band has the shape of another picture
   /// - kBufferTooSmall: `band` or `wire` is too small
   /// - kNotReady: the panel is not awake
   /// - others: the first failure of `draw` or the panel
@@ -109,7 +110,7 @@ class PageMode {
       const Rect part{sent.left, top, sent.right, top + rows < sent.bottom ? top + rows : sent.bottom};
       Window window(std::as_writable_bytes(band_memory_), part, Window::least_stride(part));
       status = window.status();
-      if (ok(status)) status = Status{draw(window)};
+      if (ok(status)) status = drawn(draw, window);
       if (ok(status)) status = start_sending(window, part);
     }
     const Status last = panel_.finish();
@@ -147,11 +148,19 @@ class PageMode {
       const std::int32_t bottom = top + rows_ < height ? top + rows_ : height;
       Frame band(band_memory_, panel_.width(), bottom - top, top);
       status = band.status();
-      if (ok(status)) status = draw(band);
+      if (ok(status)) status = drawn(draw, band);
       if (ok(status)) status = start_sending(band, area_of(top, panel_.width(), bottom));
     }
     const Status last = panel_.finish();
     return ok(status) ? last : status;
+  }
+
+  /// Calls `draw`. Refuses what it has drawn if it has turned the panel meanwhile.
+  template <class Draw, class Sink>
+  Status drawn(Draw& draw, Sink& sink) {
+    const Orientation before = panel_.settings().orientation;
+    const Status status{draw(sink)};
+    return ok(status) && panel_.settings().orientation != before ? Status::kInvalidArgument : status;
   }
 
   /// The part of a rectangle that lies on the panel; Rect{} if there is none.
@@ -162,7 +171,10 @@ class PageMode {
                        area.bottom < all.bottom ? area.bottom : all.bottom};
     return visible.empty() ? Rect{} : visible;
   }
-  [[nodiscard]] static std::int32_t pixels(const Rect& visible) { return visible.width() * visible.height(); }
+  /// Unsigned, because check() may not have refused the sides of the glass, 65535 at most.
+  [[nodiscard]] static std::uint32_t pixels(const Rect& visible) {
+    return static_cast<std::uint32_t>(visible.width()) * static_cast<std::uint32_t>(visible.height());
+  }
 
   /// How many rows of `area` are drawn at a time: a multiple of the layout's row step, at least one of them,
   /// because `area` is no wider than the panel.

@@ -55,7 +55,7 @@ template <PixelSink Sink, class Draw>
 template <PixelSink Sink>
 [[nodiscard]] constexpr Status draw_background(Sink& sink, Rgb8 colour) {
   const Rect bounds = sink.bounds();
-  if (bounds.empty()) return Status::kOk;
+  if (const Status status = detail::status_of(sink); !ok(status) || bounds.empty()) return status;
   const auto encoded = Sink::Format::encode(colour);
   for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
     const Status status = detail::draw_row(
@@ -80,7 +80,7 @@ template <PixelSink Sink>
   const std::int32_t g = step(gradient.top.g, gradient.bottom.g);
   const std::int32_t b = step(gradient.top.b, gradient.bottom.b);
   const Rect bounds = sink.bounds();
-  if (bounds.empty()) return Status::kOk;
+  if (const Status status = detail::status_of(sink); !ok(status) || bounds.empty()) return status;
   for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
     const std::int32_t row = y < 0 ? 0 : y < last ? y : last;
     const PackedRgb colour = PackedRgb::of(detail::gradient_level(gradient.top.r, r, row),
@@ -110,7 +110,7 @@ template <PixelSink Sink>
   const Rect bounds = sink.bounds();
   if (picture.width < 1 || picture.width > 32767 || picture.height < 1 || picture.height > 32767)
     return Status::kInvalidArgument;
-  if (bounds.empty()) return Status::kOk;
+  if (const Status status = detail::status_of(sink); !ok(status) || bounds.empty()) return status;
   if (bounds.left < 0 || bounds.top < 0 || bounds.right > picture.width || bounds.bottom > picture.height)
     return Status::kInvalidArgument;
   const std::size_t per_row = Format::words_per_row(picture.width);

@@ -5,6 +5,7 @@
 #include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/pixel/sink_part.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/strict_sink.hpp>
@@ -94,4 +95,17 @@ TEST_CASE("rows beyond a gradient have its nearest colour") {
   test::StrictSink above({0, -200, 1, 1});
   CHECK(ok(draw_background(above, VerticalGradient{{10, 10, 10}, {255, 20, 20}, 2})));
   for (std::int32_t y = -200; y <= 0; ++y) REQUIRE(above.cell(0, y).colour == Rgb8{10, 10, 10});
+}
+
+TEST_CASE("a background in a sink that takes no pixels has the status of the sink") {
+  std::vector<Rgb565::Word> memory(kWidth * 4);
+  Framebuffer<Rgb565> small(memory, kWidth, 5);
+  const BackgroundPicture<Rgb565> picture{memory, kWidth, 4};
+  CHECK(draw_background(small, Rgb8{}) == Status::kBufferTooSmall);
+  CHECK(draw_background(small, VerticalGradient{{}, {}, 5}) == Status::kBufferTooSmall);
+  CHECK(draw_background(small, picture) == Status::kBufferTooSmall);
+  Framebuffer<Rgb565> band(memory, kWidth, 4);
+  band.move_to(-1);
+  SinkPart part(band, {0, 0, 4, 4});
+  CHECK(draw_background(part, Rgb8{}) == Status::kInvalidArgument);
 }

@@ -94,7 +94,7 @@ template <class Mask, PixelSink Sink>
         word <<= skipped;
         const int count = leading_zeros(~word);
         column += skipped;
-        const Status status = fill_run(sink, {at.y + y, at.x + column, count}, colour);
+        const Status status = fill_run(sink, {wrap_add(at.y, y), wrap_add(at.x, column), count}, colour);
         if (!ok(status)) return status;
         column += count;
         word = count < 32 ? word << count : 0;
@@ -169,7 +169,7 @@ template <class Mask, PixelSink Sink>
         ++x;
         continue;
       }
-      const Status status = mix_run(sink, {at.y + y, at.x + x, count}, coverage, colour);
+      const Status status = mix_run(sink, {wrap_add(at.y, y), wrap_add(at.x, x), count}, coverage, colour);
       if (!ok(status)) return status;
       x += count;
     }

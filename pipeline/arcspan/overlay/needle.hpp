@@ -129,7 +129,7 @@ constexpr Status draw_needle(Sink& sink, const Needle& needle, Rgb8 colour) {
     if (first < visible.left) first = visible.left;
     if (end > visible.right) end = visible.right;
     if (first >= end) continue;
-    const Span run{pivot.y + y, pivot.x + first, end - first};
+    const Span run{wrap_add(pivot.y, y), wrap_add(pivot.x, first), end - first};
     if (const Status status = detail::fill_run(sink, run, encoded); !ok(status)) return status;
   }
   return Status::kOk;

@@ -3,6 +3,7 @@
 #include <arcspan/overlay/line.hpp>
 #include <arcspan/overlay/needle.hpp>
 #include <arcspan/overlay/rectangle.hpp>
+#include <arcspan/pixel/gray8.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/overlay/overlay_support.hpp>
@@ -202,4 +203,14 @@ TEST_CASE("thin needles have no gaps, and needles that are none are refused") {
         (void)needle_rect(longest);
       }
   CHECK(sink.faults().outside == 0);
+}
+
+TEST_CASE("needles are drawn modulo 2^32, without overflow") {
+  constexpr bool kDrawn = [] {  // a constant, where overflow is an error of the compiler
+    std::uint8_t pixels[8 * 8] = {};
+    hal::Framebuffer<Gray8> last(pixels, 8, 8, INT32_MAX - 8);
+    const Status status = draw_needle(last, {{3, INT32_MIN + 2}, {}, 8, 1, 0}, {255, 255, 255});
+    return ok(status) && pixels[8 * 7 + 3] == 255 && pixels[8 * 2 + 3] == 0;
+  }();
+  CHECK(kDrawn);
 }

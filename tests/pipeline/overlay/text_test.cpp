@@ -163,3 +163,27 @@ TEST_CASE("text far outside of the picture is not seen, at any coordinate") {
   }
   for (const std::string& row : picture.rows()) CHECK(row == std::string(16, ' '));
 }
+
+TEST_CASE("text is drawn modulo 2^32, without overflow") {
+  struct UpperRows {
+    using Format = Gray8;
+    [[nodiscard]] static constexpr Rect bounds() { return {0, INT32_MIN, 2, INT32_MIN + 3}; }
+    [[nodiscard]] constexpr Gray8::Cursor open(const Span& run) {
+      return {pixels + 2 * (run.y - INT32_MIN), run.x};
+    }
+    [[nodiscard]] static constexpr Status close(const Span&) { return Status::kOk; }
+    std::uint8_t pixels[2 * 3] = {};
+  };
+  // A column of three pixels, of which the first is above row INT32_MIN.
+  const auto drawn = []<unsigned Bits>(const Font<Bits>& font) {
+    UpperRows sink;
+    const Status status = draw_text(sink, font, {0, INT32_MAX}, "I", Rgb8{255, 255, 255});
+    return ok(status) && sink.pixels[0] == 255 && sink.pixels[2] == 255 && sink.pixels[4] == 0;
+  };
+  static constexpr Glyph kGlyph{0, 0, 0, 1, 3, 2};
+  static constexpr std::uint8_t kBitmap[] = {0xFF, 0xF0, 0, 0, 0, 0};
+  constexpr bool kPlain = drawn(Font<1>::of({}, {&kGlyph, 1}, kBitmap, 3));
+  constexpr bool kSmooth = drawn(Font<4>::of({}, {&kGlyph, 1}, kBitmap, 3));
+  CHECK(kPlain);
+  CHECK(kSmooth);
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points on the screen against double precision and against drawn vertices.
+#include <arcspan/draw/line_stage.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <catch2/catch.hpp>
@@ -133,4 +134,29 @@ TEST_CASE("a camera that was not made sees no point, nor does one of an object w
   CHECK(camera.project(object, {0, 0, 0}).in_picture);
   object.scale = {};
   CHECK(camera.project(object, {0, 0, 0}) == ScreenPoint{});
+}
+
+TEST_CASE("a surface hides half of its own vertices, and none by more than the default bias") {
+  Random random(4513);
+  const TestMesh ball = make_sphere(24, 48, 32000, 0, random);
+  const MeshView view = ball.view();
+  const std::vector<Object> objects(1, Object(view, kRed));
+  static SceneMemory<SceneMethods, 1> memory;
+  Camera camera;
+  REQUIRE(Camera::make({WorldPoint::of(0.3, 0.7, 4), {}}, kLens, kScreen, camera) == Status::kOk);
+  Canvas canvas;
+  REQUIRE(ok(draw_scene({camera, kLights, objects}, canvas.picture, canvas.depth, memory).status));
+  int seen = 0;
+  int hidden = 0;
+  for (const ObjectPosition& p : ball.positions) {
+    const Vec3 normal = Vec3{p.x / 32000.0, p.y / 32000.0, p.z / 32000.0};
+    if (dot(normal, normalised(Vec3{0.3, 0.7, 4} - normal)) < 0.5) continue;
+    const ScreenPoint point = camera.project(objects[0], p);
+    const std::int32_t depth = canvas.depth.row(point.row())[point.column()];
+    ++seen;
+    hidden += depth < point.depth ? 1 : 0;
+    CHECK(point.depth - depth <= DepthBias::kDefault);
+  }
+  CHECK(seen > 100);
+  CHECK(hidden > seen / 3);
 }

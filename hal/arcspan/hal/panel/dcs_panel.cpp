@@ -13,12 +13,6 @@ constexpr std::uint32_t kAfterSleepMs = 120;    // between sleep in and sleep ou
 
 }  // namespace
 
-bool DcsPanel::fits() const {
-  const Glass& g = glass();
-  return g.width > 0 && g.height > 0 && g.width + g.column_offset <= kColumns &&
-         g.height + g.row_offset <= kRows;
-}
-
 Status DcsPanel::pulse_reset() {
   Status status = reset_->set(Level::kLow);
   clock().delay_us(kResetPulseUs);

@@ -27,7 +27,7 @@ class DcsPanel : public Panel {
   ~DcsPanel() = default;
 
  private:
-  [[nodiscard]] bool do_fits() const override { return fits(); }
+  [[nodiscard]] bool do_fits() const override { return glass().fits(kColumns, kRows); }
   Status do_reset() override { return reset(); }
   Status do_configure() override { return configure(); }
   Status do_sleep() override { return send_sleep(); }
@@ -45,7 +45,6 @@ class DcsPanel : public Panel {
   // The hooks are inline and call these, so that no key function ties the type information to the library: a
   // panel outside it may be compiled with RTTI although the library is not.
   Status configure();
-  [[nodiscard]] bool fits() const;
   Status open_window(const Rect& area);
   Status reset();
   Status send_sleep();

@@ -35,6 +35,13 @@ struct Glass {
   bool rows_mirrored = false;       ///< the controller's first row is at the bottom
   bool blue_first = false;          ///< subpixels are in the order blue, green, red
   bool inverted = false;            ///< colours are complemented unless the controller inverts (IPS)
+
+  /// True if it is not empty and lies in a controller's memory. int may have 16 bits, in which sums would
+  /// wrap.
+  [[nodiscard]] constexpr bool fits(std::int32_t columns, std::int32_t rows) const {
+    return width > 0 && height > 0 && column_offset <= columns - std::int32_t{width} &&
+           row_offset <= rows - std::int32_t{height};
+  }
 };
 
 /// Whether the controller has to mirror for a picture in orientation `o` on `glass`.

@@ -21,8 +21,7 @@ constexpr int remap(bool columns, bool rows, bool split) {
 
 bool Ssd0323::do_fits() const {
   const Glass& g = glass();
-  return g.width > 0 && g.width % 2 == 0 && g.column_offset % 2 == 0 &&
-         g.width + g.column_offset <= kColumns && g.height >= 16 && g.height + g.row_offset <= kRows;
+  return g.fits(kColumns, kRows) && g.width % 2 == 0 && g.column_offset % 2 == 0 && g.height >= 16;
 }
 
 Status Ssd0323::do_configure() {

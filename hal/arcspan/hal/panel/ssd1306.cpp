@@ -6,8 +6,7 @@ namespace arcspan::hal {
 
 bool Ssd1306::do_fits() const {
   const Glass& g = glass();
-  return g.width > 0 && g.width + g.column_offset <= kColumns && g.height >= 16 &&
-         g.height + g.row_offset <= kRows && g.height % 8 == 0;
+  return g.fits(kColumns, kRows) && g.height >= 16 && g.height % 8 == 0;
 }
 
 Status Ssd1306::do_configure() {

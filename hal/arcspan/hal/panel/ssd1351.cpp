@@ -27,8 +27,7 @@ Status send_all(CommandPort& port, std::span<const Command> commands) {
 
 bool Ssd1351::do_fits() const {
   const Glass& g = glass();
-  return g.width > 0 && g.width + g.column_offset <= kColumns && g.height >= 16 && g.height <= kRows &&
-         g.row_offset == 0;
+  return g.fits(kColumns, kRows) && g.height >= 16 && g.row_offset == 0;
 }
 
 Status Ssd1351::do_reset() {

@@ -263,6 +263,8 @@ TEST_CASE("a character that cannot be added changes nothing in a scene") {
   const std::size_t room = stage.memory.size();
   CHECK(add(bytes, kWalkerBytes - 1, room) == ARCSPAN_TRUNCATED);
   CHECK(add(bytes, 0, room) == ARCSPAN_TRUNCATED);
+  CHECK(add(nullptr, kWalkerBytes, room) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(arcspan_character_bytes(nullptr, kWalkerBytes) == 0);
   CHECK(add(bytes + 2, kWalkerBytes - 2, room) == ARCSPAN_INVALID_ARGUMENT);
   bytes[kWalkerBytes / 2] ^= 1;
   CHECK(add(bytes, kWalkerBytes, room) == ARCSPAN_CORRUPTED);

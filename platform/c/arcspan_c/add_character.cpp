@@ -24,6 +24,7 @@ struct AnimatedModel {
   StoredAnimation animation;
 
   [[nodiscard]] Status view(const void* binary, std::size_t bytes) {
+    if (binary == nullptr && bytes != 0) return Status::kInvalidArgument;
     const Status status = view_model_binary({static_cast<const std::uint8_t*>(binary), bytes}, model);
     return ok(status) ? view_animation(model, animation) : status;
   }

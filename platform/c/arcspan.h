@@ -153,8 +153,8 @@ arcspan_status arcspan_add_binary(arcspan_scene* scene, const void* binary, size
                                   const arcspan_look* look, arcspan_object* object);
 
 /* A model with prepared materials, all in flash: `arcspan mesh MODEL -o NAME.cpp --c` defines it. Declare it
- * by `extern const arcspan_model NAME;`. Returns ARCSPAN_BUFFER_TOO_SMALL if the scene has no room for all
- * parts. `object` may be NULL. */
+ * by `extern const arcspan_model NAME;`. `object` may be NULL. Returns ARCSPAN_BUFFER_TOO_SMALL if the scene
+ * has no room for all parts, ARCSPAN_UNSUPPORTED if the layout of a texture is not compiled. */
 typedef struct arcspan_model arcspan_model;
 arcspan_status arcspan_add_model(arcspan_scene* scene, const arcspan_model* model, arcspan_object* object);
 

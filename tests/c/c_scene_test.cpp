@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The C interface draws the pixels of the same program in C++, and refuses what it cannot do.
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/lighting/colour_coefficients.hpp>
 #include <arcspan/pixel/bgr888.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/scene.hpp>
@@ -371,6 +372,19 @@ TEST_CASE("lights that are not compiled or out of range change nothing") {
   REQUIRE(status_of([](arcspan_light& l) { l.strength = 16384; }) == ARCSPAN_OK);
   REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_OK);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_LIGHT_CHANGED);
+}
+
+TEST_CASE("a model in flash whose method is not compiled is refused") {
+  static constexpr auto kGouraud =
+      PreparedMaterial<Gouraud<c::Light>>::of(plastic({255, 255, 255}), {c::kModelLights});
+  const c::ModelPart parts[] = {ball.parts[0], {ball.parts[0].make_view, ball.parts[0].sphere, &kGouraud}};
+  const arcspan_model model{parts, 2};
+  const arcspan_scene_limits limits{2, 0};
+  std::vector<unsigned char> memory(arcspan_scene_bytes(&limits));
+  arcspan_scene* scene = nullptr;
+  REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &limits, &scene) == ARCSPAN_OK);
+  CHECK(arcspan_add_model(scene, &model, nullptr) == ARCSPAN_UNSUPPORTED);
+  CHECK(arcspan_limits_of(scene, 0).objects == 0);
 }
 
 TEST_CASE("cameras out of range are refused, and the last one stays") {

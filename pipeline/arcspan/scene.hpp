@@ -38,7 +38,7 @@ struct SceneResult {
 ///   kTooManyLights     a material's method takes fewer lights than the scene has
 ///   kTooManyObjects    more objects are in view than `memory` holds
 ///   kCacheTooSmall     a mesh has more vertices than `memory` holds, which is not 0
-///   kUnsupported       there are several lights, one of them coloured, and a material's illumination lacks
+///   kUnsupported       a light is coloured, and a material's illumination of several lights lacks
 ///                      IlluminationFeatures::coloured_lights
 ///   kInvalidArgument   a light's strength or colour is outside 0...1, the half distance of a point light is
 ///                      not above 0, or a part has no material

@@ -19,7 +19,7 @@
 #if ARCSPAN_C_LIGHTS < 1 || ARCSPAN_C_LIGHTS > 4
 #error "ARCSPAN_C_LIGHTS is not 1...4"
 #endif
-/* 1 if several lights may have colours. A single light always may. */
+/* 1 if lights may have colours where ARCSPAN_C_LIGHTS is above 1. With 1 the light always may. */
 #ifndef ARCSPAN_C_COLOURED_LIGHTS
 #define ARCSPAN_C_COLOURED_LIGHTS 0
 #endif

@@ -62,13 +62,13 @@ constexpr SceneLight kFirstLight = SceneLight::directional(normalised(-1, 1, 2))
 }
 
 /// Whether the light is one that the library accepts (kOk) and that is compiled.
-[[nodiscard]] Status check_light(const arcspan_light& light, std::size_t count) {
+[[nodiscard]] Status check_light(const arcspan_light& light) {
   const bool has_direction = light.half != 0 || light.at.x != 0 || light.at.y != 0 || light.at.z != 0;
   if (!has_direction || !scene_light(light).valid()) return Status::kInvalidArgument;
   const bool grey = light.colour.r == light.colour.g && light.colour.g == light.colour.b;
   if (ARCSPAN_C_LIGHTS == 1 && light.half != 0) return Status::kUnsupported;
-  if (ARCSPAN_C_LIGHTS > 1 && count > 1 && ARCSPAN_C_COLOURED_LIGHTS == 0 && !grey)
-    return Status::kUnsupported;
+  // Also a light that is alone: materials for several lights are then made for grey ones.
+  if (ARCSPAN_C_LIGHTS > 1 && ARCSPAN_C_COLOURED_LIGHTS == 0 && !grey) return Status::kUnsupported;
   return Status::kOk;
 }
 
@@ -136,7 +136,7 @@ arcspan_status arcspan_set_lights(arcspan_scene* scene, const arcspan_light* lig
   const ChannelCoefficients ambient_light = coefficients(ambient);
   if (!arcspan::detail::in_unit_range(ambient_light)) return ARCSPAN_INVALID_ARGUMENT;
   for (std::size_t i = 0; i < count; ++i) {
-    const Status status = check_light(lights[i], count);
+    const Status status = check_light(lights[i]);
     if (!ok(status)) return static_cast<arcspan_status>(status);
   }
   const arcspan_scene before = *scene;

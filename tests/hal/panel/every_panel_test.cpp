@@ -6,6 +6,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <bit>
+#include <type_traits>
+
 using namespace arcspan;
 using namespace arcspan::hal;
 using namespace arcspan::hal::bench;
@@ -46,12 +49,14 @@ TEMPLATE_TEST_CASE("the memory of a frame with swapped bytes is what a panel of 
   const Scene<TestType> scene(bench.panel);
   const std::int32_t width = bench.panel.width();
   const std::int32_t height = bench.panel.height();
-  std::vector<std::uint16_t> memory(Framebuffer<Rgb565Swapped>::words(width, height));
-  Framebuffer<Rgb565Swapped> swapped(memory, width, height);
+  // On a big-endian machine a word has its high byte first anyway.
+  using Format = std::conditional_t<std::endian::native == std::endian::little, Rgb565Swapped, Rgb565>;
+  std::vector<std::uint16_t> memory(Framebuffer<Format>::words(width, height));
+  Framebuffer<Format> swapped(memory, width, height);
   for (std::int32_t y = 0; y < height; ++y) {
     auto cursor = swapped.open({y, 0, width});
     for (std::int32_t x = 0; x < width; ++x, cursor.next())
-      cursor.write(Rgb565Swapped::encode(scene.frame.pixel(x, y)));
+      cursor.write(Format::encode(scene.frame.pixel(x, y)));
   }
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(memory.data());
   REQUIRE(bench.panel.start_write(bench.panel.bounds(), {bytes, 2 * memory.size()}) == Status::kOk);

@@ -103,8 +103,12 @@ inline constexpr bool kCountsLeadingZeros = true;
 inline constexpr bool kReversesBytes = true;
 #endif
 
-/// True if one instruction saturates to an unsigned range (Arm: USAT).
-#if defined(__ARM_FEATURE_SAT)
+/// True if one instruction saturates to an unsigned range (Arm: USAT). In Thumb-1 code (Cortex-M23) there is
+/// none, whatever clang's __ARM_FEATURE_SAT says.
+#if defined(__ARM_FEATURE_SAT) && (defined(__thumb2__) || !defined(__thumb__))
+#define ARCSPAN_HAS_USAT
+#endif
+#ifdef ARCSPAN_HAS_USAT
 inline constexpr bool kHasSaturate = true;
 #else
 inline constexpr bool kHasSaturate = false;
@@ -161,7 +165,7 @@ template <class T>
 template <int Bits, int Shift>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t saturated_unsigned(std::int32_t v) {
   constexpr auto kMost = static_cast<std::int32_t>((std::uint32_t{1} << Bits) - 1);
-#if defined(__ARM_FEATURE_SAT)
+#ifdef ARCSPAN_HAS_USAT
   if (!std::is_constant_evaluated()) {
     std::uint32_t result;
     if constexpr (Shift == 0) {
@@ -180,7 +184,7 @@ template <int Bits, int Shift>
 template <int Bits, int Shift>
 [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t saturated_signed(std::int32_t v) {
   constexpr auto kMost = static_cast<std::int32_t>((std::uint32_t{1} << (Bits - 1)) - 1);
-#if defined(__ARM_FEATURE_SAT)
+#ifdef ARCSPAN_HAS_USAT
   if (!std::is_constant_evaluated()) {
     std::int32_t result;
     asm("ssat %0, %1, %2, asr %3" : "=r"(result) : "I"(Bits), "r"(v), "I"(Shift));
@@ -190,5 +194,7 @@ template <int Bits, int Shift>
   const std::int32_t shifted = v >> Shift;
   return shifted < -kMost - 1 ? -kMost - 1 : shifted > kMost ? kMost : shifted;
 }
+
+#undef ARCSPAN_HAS_USAT
 
 }  // namespace arcspan

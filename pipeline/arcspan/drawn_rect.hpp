@@ -80,7 +80,7 @@ template <SceneMemoryType Memory>
   if (!ok(memory.status())) return {};
   const detail::SceneFrame frame = memory.frame();
   Rect rect{};
-  for (detail::SceneSlot& slot : frame.slots.first(frame.header.in_view)) {
+  for (detail::SceneSlot& slot : frame.entries.first(frame.header.in_view)) {
     rect = bounding_rect(
         rect, detail::drawn_rect_of<Memory::kHasVertices>(typename Memory::UseList{}, frame.header, slot));
   }
@@ -92,7 +92,7 @@ template <SceneMemoryType Memory>
 [[nodiscard]] Rect drawn_rect(Memory& memory, const Object& object) {
   if (!ok(memory.status())) return {};
   const detail::SceneFrame frame = memory.frame();
-  for (detail::SceneSlot& slot : frame.slots.first(frame.header.in_view)) {
+  for (detail::SceneSlot& slot : frame.entries.first(frame.header.in_view)) {
     if (slot.object != &object) continue;
     return detail::drawn_rect_of<Memory::kHasVertices>(typename Memory::UseList{}, frame.header, slot);
   }

@@ -129,7 +129,7 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
   const std::size_t count = frame.header.in_view;
   for (std::size_t i = 0; i < count && ok(result.status); ++i) {
     const std::size_t place = kNearestFirst ? i : count - 1 - i;
-    SceneSlot& slot = frame.slots[frame.order[place]];
+    SceneSlot& slot = frame.entries[frame.order[place]];
     if (reached != whole && is_outside(slot, reached)) continue;
     if (kBeyond == 0 || rect == whole || !is_outside(slot, rect)) ++result.objects;
     if (!frame.header.keeps_vertices) slot.held = nullptr;

@@ -122,8 +122,8 @@ template <SceneMemoryType Memory, class Sink, class Depth>
 void draw_curves(Memory& memory, std::size_t place, const ObjectLights& lights, Sink& sink,
                  const Depth& depth, const CurvedOutlines& curves, SceneResult& result) {
   const SceneFrame frame = memory.frame();
-  SceneSlot& slot = frame.slots[frame.order[place]];
-  const std::size_t first = place == 0 ? 0 : frame.slots[frame.order[place - 1]].end_of_curves;
+  SceneSlot& slot = frame.entries[frame.order[place]];
+  const std::size_t first = place == 0 ? 0 : frame.entries[frame.order[place - 1]].end_of_curves;
   const MeshView mesh = curves.mesh(first, slot.end_of_curves);
   if (mesh.triangle_count() == 0 || slot.object->part_count() != 1 || !ok(result.status)) return;
   const DrawResult drawn = draw_part<PartVertices::kOfCurves>(
@@ -174,7 +174,7 @@ class OutlinedTarget : public Target {
   void end_object(Memory& memory, std::size_t place, const ObjectLights&, Sink&, const Depth&,
                   const SceneResult&) const {
     const SceneFrame frame = memory.frame();
-    const SceneSlot& slot = frame.slots[frame.order[place]];
+    const SceneSlot& slot = frame.entries[frame.order[place]];
     const Object& object = *slot.object;
     const MeshNeighbours* const neighbours = neighbours_of(object);
     Status status = check_outlined<Memory>(object, neighbours, outlines_.sides);
@@ -230,7 +230,7 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
   if (frame.header.camera == nullptr) return Status::kNotReady;
   Status first = frame.header.status;
   for (std::size_t i = 0; i < frame.header.in_view; ++i) {
-    detail::SceneSlot& slot = frame.slots[frame.order[i]];
+    detail::SceneSlot& slot = frame.entries[frame.order[i]];
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const Status status = detail::add_outlines<Memory>(slot, frame.header.keeps_vertices, outlines);
     if constexpr (kCurved) slot.end_of_curves = static_cast<std::uint16_t>(outlines.curves.count());

@@ -107,7 +107,7 @@ bool measure_mesh(const Object& object) {
   frame.clear({0, 0, 0});
   depth.clear();
   const detail::SceneFrame prepared = memory_of_scene.frame();
-  const ClipTransform& transform = prepared.slots[0].transform;
+  const ClipTransform& transform = prepared.entries[0].transform;
   const auto& lighting = *static_cast<const Method::Lighting*>(memory_of_scene.lighting());
   arcspan_mark();
   const DrawResult drawn = draw_mesh<Method>(object.mesh(), transform, lighting, frame, depth, cache);

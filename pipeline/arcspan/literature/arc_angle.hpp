@@ -47,9 +47,9 @@ struct CornerChords {
   for (const SquaredAngle side : {s.ab, s.ac}) {
     tangents += times_angle(tangents, angle_over_sine_less_1(side, format), format);
   }
-  const SquaredAngle far = multiply<SquaredAngle>(multiply<Factor>(t, t), angle_of_chord(s.ac, format));
+  const SquaredAngle beyond = multiply<SquaredAngle>(multiply<Factor>(t, t), angle_of_chord(s.ac, format));
   const SquaredAngle cross = multiply<SquaredAngle>(t, tangents);
-  const SquaredAngle row = angle_of_chord(s.ab, format) + far - cross - cross;
+  const SquaredAngle row = angle_of_chord(s.ab, format) + beyond - cross - cross;
   return row.raw() < 0 ? SquaredAngle{} : row;
 }
 

@@ -108,9 +108,9 @@ constexpr Status draw_needle(Sink& sink, const Needle& needle, Rgb8 colour) {
   const std::array<RasterPosition, 4> corners = detail::needle_corners(needle);
   const Rect bounds = sink.bounds();
   const Point& pivot = needle.pivot;
-  const Rect near{wrap_sub(bounds.left, pivot.x), wrap_sub(bounds.top, pivot.y),
-                  wrap_sub(bounds.right, pivot.x), wrap_sub(bounds.bottom, pivot.y)};
-  const Rect visible = detail::intersection(detail::corner_box(corners), near);
+  const Rect around{wrap_sub(bounds.left, pivot.x), wrap_sub(bounds.top, pivot.y),
+                    wrap_sub(bounds.right, pivot.x), wrap_sub(bounds.bottom, pivot.y)};
+  const Rect visible = detail::intersection(detail::corner_box(corners), around);
   if (visible.empty()) return Status::kOk;
   std::array<detail::NeedleEdge, 4> edges{};
   for (std::size_t i = 0; i < 4; ++i)

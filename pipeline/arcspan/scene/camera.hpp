@@ -174,10 +174,10 @@ constexpr Status Camera::look_at(const LookAt& view) {
   const Unit back = unit_vector30<3>(detail::difference(view.target, view.eye));
   // The terms are halved because back * up is below 2^60 only if up is a unit vector of 15 bits.
   const auto cross = [](const Unit& a, const Unit& b) {
-    const auto minor = [&](std::size_t i, std::size_t j) {
+    const auto cofactor = [&](std::size_t i, std::size_t j) {
       return ((std::int64_t{a[i]} * b[j]) >> 1) - ((std::int64_t{a[j]} * b[i]) >> 1);
     };
-    return Vector{minor(1, 2), minor(2, 0), minor(0, 1)};
+    return Vector{cofactor(1, 2), cofactor(2, 0), cofactor(0, 1)};
   };
   const Unit up{view.up.x.raw(), view.up.y.raw(), view.up.z.raw()};
   const Unit right = unit_vector30<3>(cross(up, back));

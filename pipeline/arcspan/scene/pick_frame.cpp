@@ -123,7 +123,7 @@ Picked pick_in(const SceneFrame& frame, std::span<const PickUse> uses, std::span
   const DepthBuffer depth({&nearest, 1}, sink.bounds());
   depth.clear();
   for (const std::uint16_t i : frame.order.first(frame.header.in_view)) {
-    const SceneSlot& slot = frame.slots[i];
+    const SceneSlot& slot = frame.entries[i];
     if (is_outside(slot, sink.bounds())) continue;
     pick_object(slot, uses, scratch, sink, depth, nearest, picked);
     if (!ok(picked.status)) break;

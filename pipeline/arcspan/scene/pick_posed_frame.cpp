@@ -34,8 +34,8 @@ Picked pick_posed_in(const SceneFrame& frame, std::span<const PickUse> uses, std
   const DepthBuffer depth({&nearest, 1}, sink.bounds());
   depth.clear();
   for (const std::uint16_t i : frame.order.first(frame.header.in_view)) {
-    if (is_outside(frame.slots[i], sink.bounds())) continue;
-    pick_object(frame.slots[i], uses, sink, depth, nearest, picked);
+    if (is_outside(frame.entries[i], sink.bounds())) continue;
+    pick_object(frame.entries[i], uses, sink, depth, nearest, picked);
     if (!ok(picked.status)) break;
   }
   return picked;

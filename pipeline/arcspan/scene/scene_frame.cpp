@@ -84,7 +84,7 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
 /// Inserts the last slot into the order, behind those that are as near.
 void insert_into_order(const SceneFrame& frame, std::size_t last) {
   std::size_t i = last;
-  for (; i > 0 && frame.slots[frame.order[i - 1]].distance > frame.slots[last].distance; --i) {
+  for (; i > 0 && frame.entries[frame.order[i - 1]].distance > frame.entries[last].distance; --i) {
     frame.order[i] = frame.order[i - 1];
   }
   frame.order[i] = static_cast<std::uint16_t>(last);
@@ -125,11 +125,11 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
   const std::size_t vertices = frame.has_vertices ? object.mesh().vertex_count() : 0;
   if (vertices != 0 && vertex_bytes > frame.vertices.size() / vertices) return Status::kCacheTooSmall;
   const std::size_t last = frame.header.in_view;
-  if (last >= frame.slots.size()) {
+  if (last >= frame.entries.size()) {
     return is_in_view(object, scene.camera) ? Status::kTooManyObjects : Status::kOk;
   }
-  if (set_up(object, scene.camera, frame.slots[last])) {
-    frame.slots[last].vertex_bytes = vertex_bytes * vertices;
+  if (set_up(object, scene.camera, frame.entries[last])) {
+    frame.entries[last].vertex_bytes = vertex_bytes * vertices;
     ++frame.header.in_view;
     insert_into_order(frame, last);
   }
@@ -141,7 +141,7 @@ void share_vertices(const SceneFrame& frame) {
   const auto aligned = [](std::size_t bytes) {
     return (bytes + kVertexAlignment - 1) / kVertexAlignment * kVertexAlignment;
   };
-  const std::span<SceneSlot> slots = frame.slots.first(frame.header.in_view);
+  const std::span<SceneSlot> slots = frame.entries.first(frame.header.in_view);
   std::uint64_t all = 0;
   for (const SceneSlot& slot : slots) all += aligned(slot.vertex_bytes);
   frame.header.keeps_vertices = all <= frame.vertices.size();
@@ -164,7 +164,7 @@ void share_vertices(const SceneFrame& frame) {
 /// Gives memory for rows to each slot for which there is some left.
 void share_rows(const SceneFrame& frame) {
   std::span<TriangleRows> left = frame.rows;
-  for (SceneSlot& slot : frame.slots.first(frame.header.in_view)) {
+  for (SceneSlot& slot : frame.entries.first(frame.header.in_view)) {
     slot.rows = nullptr;
     slot.parts_with_rows = 0;
     if (left.empty() || slot.object->part_count() > UINT16_MAX) continue;

@@ -67,7 +67,7 @@ inline constexpr std::size_t kVertexAlignment = 8;
 /// A view of a SceneMemory.
 struct SceneFrame {
   SceneHeader& header;
-  std::span<SceneSlot> slots;
+  std::span<SceneSlot> entries;
   std::span<std::uint16_t> order;  ///< indices of slots, the nearest object first
   std::span<unsigned char> vertices;
   std::span<TriangleRows> rows;

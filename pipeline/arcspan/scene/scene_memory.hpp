@@ -134,12 +134,12 @@ class SceneMemoryView {
     return {static_cast<unsigned char*>(lighting()), Listed::kLightingBytes};
   }
   [[nodiscard]] detail::SceneFrame frame() {
-    std::byte* const slots = first_ + kLighting;
-    std::byte* const order = slots + sizeof(detail::SceneSlot) * limits_.objects;
+    std::byte* const entries = first_ + kLighting;
+    std::byte* const order = entries + sizeof(detail::SceneSlot) * limits_.objects;
     std::byte* const vertices = first_ + static_cast<std::size_t>(bytes_but_vertices(limits_.objects));
     const auto of_vertices = static_cast<std::size_t>(vertex_bytes(limits_));
     return {header_,
-            {static_cast<detail::SceneSlot*>(static_cast<void*>(slots)), limits_.objects},
+            {static_cast<detail::SceneSlot*>(static_cast<void*>(entries)), limits_.objects},
             {static_cast<std::uint16_t*>(static_cast<void*>(order)), limits_.objects},
             {static_cast<unsigned char*>(static_cast<void*>(vertices)), of_vertices},
             {static_cast<TriangleRows*>(static_cast<void*>(vertices + of_vertices)),

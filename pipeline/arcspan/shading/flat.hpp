@@ -62,13 +62,13 @@ struct Flat {
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting&, const Raster&, const Raster&,
                                                     const Raster&, const Face& face, const SmallTriangle&,
-                                                    Small& small) {
-    small = face;
+                                                    Small& part) {
+    part = face;
     return true;
   }
   template <class Draw>
-  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
-    return draw(SmallRows{small});
+  [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
+    return draw(SmallRows{part});
   }
 };
 

@@ -98,27 +98,27 @@ struct Gouraud {
   /// The rows of a small triangle.
   struct SmallRows {
     using Run = Gouraud::Run;
-    const Small& small;
+    const Small& part;
     [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
-      return {FineRgb::of(raw_bits(small.r.at(b, c)), raw_bits(small.g.at(b, c)), raw_bits(small.b.at(b, c))),
-              FineRgb::of(raw_bits(small.r.step), raw_bits(small.g.step), raw_bits(small.b.step))};
+      return {FineRgb::of(raw_bits(part.r.at(b, c)), raw_bits(part.g.at(b, c)), raw_bits(part.b.at(b, c))),
+              FineRgb::of(raw_bits(part.r.step), raw_bits(part.g.step), raw_bits(part.b.step))};
     }
   };
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting&, const Raster& top, const Raster& middle,
                                                     const Raster& bottom, const Face&,
-                                                    const SmallTriangle& triangle, Small& small) {
+                                                    const SmallTriangle& triangle, Small& part) {
     const Vertex& a = top.shade;
     const Vertex& b = middle.shade;
     const Vertex& c = bottom.shade;
-    small.r.prepare(a.r, b.r, c.r, kHalf, triangle);
-    small.g.prepare(a.g, b.g, c.g, kHalf, triangle);
-    small.b.prepare(a.b, b.b, c.b, kHalf, triangle);
+    part.r.prepare(a.r, b.r, c.r, kHalf, triangle);
+    part.g.prepare(a.g, b.g, c.g, kHalf, triangle);
+    part.b.prepare(a.b, b.b, c.b, kHalf, triangle);
     return true;
   }
   template <class Draw>
-  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
-    return draw(SmallRows{small});
+  [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
+    return draw(SmallRows{part});
   }
 
  private:

@@ -103,13 +103,13 @@ struct GreyGouraud {
   [[nodiscard]] ARCSPAN_INLINE static constexpr bool prepare_small(const Lighting&, const Raster& top,
                                                                    const Raster& middle, const Raster& bottom,
                                                                    const Face&, const SmallTriangle& triangle,
-                                                                   Small& small) {
-    small.prepare(top.shade.level, middle.shade.level, bottom.shade.level, kHalf, triangle);
+                                                                   Small& part) {
+    part.prepare(top.shade.level, middle.shade.level, bottom.shade.level, kHalf, triangle);
     return true;
   }
   template <class Draw>
-  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
-    return draw(SmallRows{small});
+  [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
+    return draw(SmallRows{part});
   }
 
  private:

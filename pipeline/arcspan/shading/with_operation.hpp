@@ -134,8 +134,8 @@ struct WithOperation : Coloured {
     });
   }
   template <class Small, class Draw>
-  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
-    return Method::walk_small(small, [&](const auto& rows) {
+  [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
+    return Method::walk_small(part, [&](const auto& rows) {
       return draw(detail::OperationSmall<std::remove_cvref_t<decltype(rows)>, Operation>{rows});
     });
   }

@@ -88,13 +88,13 @@ template <class Method, class Target, class FaceOf>
                : SmallResult::kOutOfView;
   }
   prepare_small_triangle(p, q, r, triangle);
-  typename Method::Small small;
+  typename Method::Small part;
   if (!Method::prepare_small(target.lighting, *vertices.top, *vertices.middle, *vertices.bottom, face_of(),
-                             triangle, small)) {
+                             triangle, part)) {
     return SmallResult::kRefused;
   }
   status = Method::walk_small(
-      small, [&](const auto& surface) { return draw_small_pixels(triangle, surface, origin, target); });
+      part, [&](const auto& surface) { return draw_small_pixels(triangle, surface, origin, target); });
   return SmallResult::kDone;
 }
 

@@ -159,7 +159,7 @@ TEST_CASE("culling and order change no pixel, and bands are the whole picture") 
     const detail::SceneFrame frame = memory_of_scene.frame();
     std::vector<bool> used(made.objects.size());
     for (std::size_t k = 0; k < frame.header.in_view; ++k) {
-      const Object* const object = frame.slots[frame.order[k]].object;
+      const Object* const object = frame.entries[frame.order[k]].object;
       used[static_cast<std::size_t>(object - made.objects.data())] = true;
       sorted.push_back(*object);
     }
@@ -204,7 +204,7 @@ TEST_CASE("the nearest object is drawn first with depth, the farthest without") 
   const detail::SceneFrame frame = memory_of_scene.frame();
   REQUIRE(frame.header.in_view == 4);
   const std::size_t expected[] = {2, 0, 3, 1};
-  for (std::size_t i = 0; i < 4; ++i) CHECK(frame.slots[frame.order[i]].object == &objects[expected[i]]);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(frame.entries[frame.order[i]].object == &objects[expected[i]]);
 
   // Spheres that do not overlap look the same without depth.
   for (Object& object : objects) {
@@ -237,7 +237,7 @@ TEST_CASE("objects are ordered where steps of depth do not tell them apart") {
       const detail::SceneFrame frame = memory_of_scene.frame();
       REQUIRE(frame.header.in_view == 2);
       CAPTURE(nearest, listed_first);
-      CHECK(frame.slots[frame.order[0]].object == &objects[listed_first ? 1 : 0]);
+      CHECK(frame.entries[frame.order[0]].object == &objects[listed_first ? 1 : 0]);
     }
   }
 }
@@ -254,7 +254,7 @@ TEST_CASE("objects with the same middle are in the order of the scene, whatever 
     const detail::SceneFrame frame = memory_of_scene.frame();
     REQUIRE(frame.header.in_view == 2);
     CAPTURE(step);
-    CHECK(frame.slots[frame.order[0]].object == objects.data());
+    CHECK(frame.entries[frame.order[0]].object == objects.data());
   }
 }
 

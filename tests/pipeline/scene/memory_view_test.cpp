@@ -46,7 +46,7 @@ TEST_CASE("a scene in bytes of the caller's is drawn as in SceneMemory, at any a
     View view(std::span<std::byte>(memory).subspan(offset), balls.limits());
     REQUIRE(ok(view.status()));
     CHECK((drawn_in_bands(balls.scene(), view, 20) == expected));
-    CHECK(view.frame().slots[1].parts_with_rows == 1);
+    CHECK(view.frame().entries[1].parts_with_rows == 1);
     CHECK(view.frame()
               .header.keeps_vertices);  // of objects that begin at multiples of 8, in both kinds of memory
     CHECK(drawn_rect(view) == rect);

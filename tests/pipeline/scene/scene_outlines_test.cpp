@@ -68,7 +68,7 @@ template <class Memory>
 std::vector<const detail::SceneSlot*> slots_of(Memory& memory) {
   const detail::SceneFrame frame = memory.frame();
   std::vector<const detail::SceneSlot*> slots;
-  for (std::size_t i = 0; i < frame.header.in_view; ++i) slots.push_back(&frame.slots[frame.order[i]]);
+  for (std::size_t i = 0; i < frame.header.in_view; ++i) slots.push_back(&frame.entries[frame.order[i]]);
   return slots;
 }
 

@@ -31,15 +31,15 @@ TEST_CASE("rows are found by the first band of an object, once per frame, and no
   Object object(ball.mesh, kRed);
   static SceneMemory<Red, 1, 200, 200> memory;
   const auto whole = drawn_in_bands(ball.scene({&object, 1}), memory, Canvas::kHeight);
-  CHECK(memory.frame().slots[0].parts_with_rows == 0);
+  CHECK(memory.frame().entries[0].parts_with_rows == 0);
   // Nor are they for a band of more than half of its rows.
   Canvas large(Canvas::kHeight / 2 + 1);
   REQUIRE(ok(draw_prepared_scene(memory, large.picture, large.depth).status));
-  CHECK(memory.frame().slots[0].parts_with_rows == 0);
+  CHECK(memory.frame().entries[0].parts_with_rows == 0);
   CHECK(drawn_in_bands(ball.scene({&object, 1}), memory, Canvas::kHeight / 2) == whole);
-  CHECK(memory.frame().slots[0].parts_with_rows == 1);
+  CHECK(memory.frame().entries[0].parts_with_rows == 1);
   CHECK(drawn_in_bands(ball.scene({&object, 1}), memory, 8) == whole);
-  const detail::SceneSlot& slot = memory.frame().slots[0];
+  const detail::SceneSlot& slot = memory.frame().entries[0];
   REQUIRE(slot.parts_with_rows == 1);
 
   std::vector<CachedVertex<Unlit>> vertices(ball.mesh.vertex_count());
@@ -77,8 +77,8 @@ TEST_CASE("each part has rows of its own, whatever its sides and whichever trian
     const auto whole = drawn_in_bands(seen.scene(objects), memory, Canvas::kHeight);
     for (const std::int32_t rows : {1, 8, 24})
       CHECK(drawn_in_bands(seen.scene(objects), with_rows, rows) == whole);
-    CHECK(with_rows.frame().slots[0].parts_with_rows == 5);
-    CHECK(with_rows.frame().slots[1].rows == with_rows.frame().slots[0].rows + entries);
+    CHECK(with_rows.frame().entries[0].parts_with_rows == 5);
+    CHECK(with_rows.frame().entries[1].rows == with_rows.frame().entries[0].rows + entries);
   }
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("objects without room for their rows are drawn without, and others wit
     View view(memory, {3, 500, triangles});
     CHECK(drawn_in_bands(ball.scene(objects), view, 8) == whole);
     std::vector<bool> has;
-    for (const detail::SceneSlot& slot : view.frame().slots) has.push_back(slot.rows != nullptr);
+    for (const detail::SceneSlot& slot : view.frame().entries) has.push_back(slot.rows != nullptr);
     return has;
   };
   using Has = std::vector<bool>;

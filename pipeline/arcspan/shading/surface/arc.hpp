@@ -119,34 +119,34 @@ struct Arc {
                                                                    const Raster& top, const Raster& middle,
                                                                    const Raster& bottom, const Face&,
                                                                    const SmallTriangle& triangle,
-                                                                   Small& small) {
+                                                                   Small& part) {
     const Vertex& a = top.shade;
     const Vertex& b = middle.shade;
     const Vertex& c = bottom.shade;
     if ((a.deficit | b.deficit | c.deficit) != 0) return false;
     const SurfaceChoice choice = choose_order(lighting, a, b, c, false);
-    small.path = path_of(choice);
+    part.path = path_of(choice);
     if (choice.light.reach != LightReach::kHighlight) {
-      small.planes.prepare(0, diffuse(lighting, choice, a), diffuse(lighting, choice, b),
-                           diffuse(lighting, choice, c), triangle);
+      part.planes.prepare(0, diffuse(lighting, choice, a), diffuse(lighting, choice, b),
+                          diffuse(lighting, choice, c), triangle);
     } else {
       unrolled<kScalars>([&](auto i) {
-        small.planes.prepare(i, scalar(lighting, choice, a, i), scalar(lighting, choice, b, i),
-                             scalar(lighting, choice, c, i), triangle);
+        part.planes.prepare(i, scalar(lighting, choice, a, i), scalar(lighting, choice, b, i),
+                            scalar(lighting, choice, c, i), triangle);
       });
     }
-    if (choice.order == SurfaceOrder::kNormalised) small.missing.prepare(choice.chords, triangle);
+    if (choice.order == SurfaceOrder::kNormalised) part.missing.prepare(choice.chords, triangle);
     return true;
   }
   /// Calls `draw` with the surface of a small triangle.
   template <class Draw>
-  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
+  [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
     if constexpr (kHasDiffuse) {
-      if (small.path == Path::kLinearDiffuse) return draw(SmallFlat<1>{small.planes});
-      if (small.path == Path::kNormalisedDiffuse) return draw(SmallRound<1>{small.planes, small.missing});
+      if (part.path == Path::kLinearDiffuse) return draw(SmallFlat<1>{part.planes});
+      if (part.path == Path::kNormalisedDiffuse) return draw(SmallRound<1>{part.planes, part.missing});
     }
-    if (small.path == Path::kLinear) return draw(SmallFlat<kScalars>{small.planes});
-    return draw(SmallRound<kScalars>{small.planes, small.missing});
+    if (part.path == Path::kLinear) return draw(SmallFlat<kScalars>{part.planes});
+    return draw(SmallRound<kScalars>{part.planes, part.missing});
   }
 
  private:

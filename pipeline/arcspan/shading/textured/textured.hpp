@@ -377,20 +377,20 @@ struct Textured : Method {
                                                                    const Raster& top, const Raster& middle,
                                                                    const Raster& bottom, const Face& face,
                                                                    const SmallTriangle& triangle,
-                                                                   Small& small) {
-    if constexpr (Steps::kHasBorders) small.texture.set_wraps(lighting.texture.sampler());
-    if (!small.texture.template prepare<Filter>(top, middle, bottom, lighting.texture.size(), triangle))
+                                                                   Small& part) {
+    if constexpr (Steps::kHasBorders) part.texture.set_wraps(lighting.texture.sampler());
+    if (!part.texture.template prepare<Filter>(top, middle, bottom, lighting.texture.size(), triangle))
       return false;
-    small.words = lighting.texture.at(small.texture.first);
-    small.palette = lighting.texture.palette();
-    return Light::prepare_small(lighting, top, middle, bottom, face, triangle, small.light);
+    part.words = lighting.texture.at(part.texture.first);
+    part.palette = lighting.texture.palette();
+    return Light::prepare_small(lighting, top, middle, bottom, face, triangle, part.light);
   }
   template <class Draw>
-  [[nodiscard]] static constexpr Status walk_small(const Small& small, Draw&& draw) {
-    return Light::walk_small(small.light, [&](const auto& light) {
+  [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
+    return Light::walk_small(part.light, [&](const auto& light) {
       using LightRows = std::remove_cvref_t<decltype(light)>;
-      return draw(TexturedSmall<LightRows, Steps, Texels, Colours, Filter>{light, small.texture, small.words,
-                                                                           small.palette});
+      return draw(TexturedSmall<LightRows, Steps, Texels, Colours, Filter>{light, part.texture, part.words,
+                                                                           part.palette});
     });
   }
 };

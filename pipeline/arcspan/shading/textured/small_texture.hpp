@@ -79,10 +79,12 @@ struct SmallTexture : TextureLevel {
     if (!detail::is_nearly_linear(*this, range_u.range(), range_v.range(), w)) return false;
     u.prepare(corners.at[0].u, corners.at[1].u, corners.at[2].u);
     v.prepare(corners.at[0].v, corners.at[1].v, corners.at[2].v);
-    if (loses_steps(size, range_u, range_v, triangle)) return false;
     const std::int32_t du = u.change(triangle.d_middle, triangle.d_bottom, *this);
     const std::int32_t dv = v.change(triangle.d_middle, triangle.d_bottom, *this);
-    if (size.levels != 1) set(size, detail::level_for<Steps>(size, log_area, du, dv, *this));
+    if (size.levels != 1) {
+      if (loses_steps(range_u, range_v, triangle)) return false;
+      set(size, detail::level_for<Steps>(size, log_area, du, dv, *this));
+    }
     const std::uint32_t half = detail::half_texel_of<Filter, Steps>(*this);
     u.set_top(detail::word_of<Steps>(corners.at[0].u, *this) - (half >> width_bits));
     v.set_top(detail::word_of<Steps>(corners.at[0].v, *this) - (half >> height_bits));
@@ -98,11 +100,9 @@ struct SmallTexture : TextureLevel {
  private:
   /// True if the mip level needs a step that wraps. Where u and v change by less than half a repetition in
   /// the triangle, their steps hardly do.
-  [[nodiscard]] constexpr bool loses_steps(const TextureSize& size, const detail::Extent& range_u,
-                                           const detail::Extent& range_v,
+  [[nodiscard]] constexpr bool loses_steps(const detail::Extent& range_u, const detail::Extent& range_v,
                                            const SmallTriangle& triangle) const {
-    if (Steps::kHasBorders || size.levels == 1 || (range_u.range() | range_v.range()) >> 15 == 0)
-      return false;
+    if (Steps::kHasBorders || (range_u.range() | range_v.range()) >> 15 == 0) return false;
     return u.wraps(triangle.d_middle, triangle.d_bottom) || v.wraps(triangle.d_middle, triangle.d_bottom);
   }
 };

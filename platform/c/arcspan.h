@@ -313,13 +313,13 @@ typedef uint8_t arcspan_format;
 #define ARCSPAN_XRGB8888 4 /* bytes B, G, R and one that is 0 */
 #define ARCSPAN_ARGB8888 5 /* bytes B, G, R and 255, or less where smooth outlines cover a pixel in part */
 #define ARCSPAN_GRAY8 6
-#define ARCSPAN_GRAY4 7
-#define ARCSPAN_MONO 8
+#define ARCSPAN_GRAY4 7 /* two pixels per byte, the left one in the upper bits */
+#define ARCSPAN_MONO 8  /* eight pixels per byte, the leftmost in the highest bit */
 
 /* A rectangle of the picture in memory. */
 typedef struct {
-  void* pixels;   /* its upper left one */
-  size_t bytes;   /* of memory from there on */
+  void* pixels; /* its upper left one, or the byte that holds it; columns lie in bytes as from column 0 on */
+  size_t bytes; /* of memory from there on */
   int32_t stride; /* bytes from row to row */
   arcspan_format format;
   arcspan_rect held; /* the rectangle, within 0...32767 */

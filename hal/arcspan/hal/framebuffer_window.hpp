@@ -35,7 +35,9 @@ class FramebufferWindow : public Framebuffer<F> {
   /// The least `stride_bytes` of a rectangle: that of rows without padding. The sides of `held` are in
   /// 0...32767 and in order.
   [[nodiscard]] static constexpr std::int32_t least_stride(const Rect& held) {
-    return static_cast<std::int32_t>(F::words_per_row(held.right - first_of_word(held.left)) * sizeof(Word));
+    // At most 32767 words; their bytes do not fit a size_t of 16 bits.
+    return static_cast<std::int32_t>(F::words_per_row(held.right - first_of_word(held.left))) *
+           std::int32_t{sizeof(Word)};
   }
 
   /// Sets every pixel of the window to `colour`.

@@ -159,28 +159,53 @@ TEST_CASE("where one side of a texture repeats often, the other one is as exact 
   CHECK(worst <= 0.5);
 }
 
+/// A triangle whose pixels may be more than half a repetition apart. One side repeats less often, so that the
+/// longer side of a pixel decides.
+MappedTriangle<Plain> repeating_triangle(Random& random, std::int32_t extent, double ratio) {
+  MappedTriangle<Plain> triangle =
+      random_triangle<Plain>(random, extent, ratio, extent * random.decades(0.1, 4));
+  for (RasterVertex<Plain>& vertex : triangle.vertices) vertex.shade.point.v >>= 4;
+  return triangle;
+}
+
+/// Counts the pixels of a triangle, and those whose mip level is not the one that is wanted.
+class LevelCounts {
+ public:
+  explicit LevelCounts(const Plain::Lighting& lighting) : texture_(lighting.texture) {}
+  [[nodiscard]] auto of(const MappedTriangle<Plain>& triangle) {
+    return [&](std::int32_t x, std::int32_t y, const auto& run) {
+      ++pixels;
+      const double off = level_of(run, texture_) - level_wanted(triangle, x, y, texture_.size());
+      wrong += std::abs(off) > 0.75 ? 1 : 0;
+    };
+  }
+  int pixels = 0;
+  int wrong = 0;
+
+ private:
+  const decltype(Plain::Lighting::texture)& texture_;
+};
+
 TEST_CASE("where pixels are more than half a repetition apart, their mip level is that of the others") {
   constexpr unsigned kBits = 4;
   Random random(62);
   const Plain::Lighting lighting = lighting_of<Plain>(kBits, kBits, kBits + 1);
-  const TextureSize& size = lighting.texture.size();
-  const std::int32_t extent = GENERATE(240, 12);
-  int pixels = 0;
-  int wrong = 0;
-  for (int i = 0; i < test::share_of(extent == 240 ? 300 : 6000); ++i) {
-    MappedTriangle<Plain> triangle =
-        random_triangle<Plain>(random, extent, i % 2 == 0 ? 1 : 8, extent * random.decades(0.1, 4));
-    // One side repeats less often, so that the longer side of a pixel decides.
-    for (RasterVertex<Plain>& vertex : triangle.vertices) vertex.shade.point.v >>= 4;
-    for_each_pixel(triangle, lighting, extent, [&](std::int32_t x, std::int32_t y, const auto& run) {
-      ++pixels;
-      const double off = level_of(run, lighting.texture) - level_wanted(triangle, x, y, size);
-      wrong += std::abs(off) > 0.75 ? 1 : 0;
-    });
+  LevelCounts large(lighting);
+  for (int i = 0; i < test::share_of(300); ++i) {
+    const MappedTriangle<Plain> triangle = repeating_triangle(random, 240, i % 2 == 0 ? 1 : 8);
+    for_each_pixel(triangle, lighting, 240, large.of(triangle));
   }
-  CAPTURE(pixels, wrong);
-  // Rows of one pixel have no step: what they show may be sharper.
-  CHECK(wrong < pixels / (extent == 240 ? 50 : 8));
+  CAPTURE(large.pixels, large.wrong);
+  // Rows of one pixel in perspective have no step: what they show may be sharper.
+  CHECK(large.wrong < large.pixels / 50);
+  LevelCounts small(lighting);
+  for (int i = 0; i < test::share_of(6000); ++i) {
+    const MappedTriangle<Plain> triangle = repeating_triangle(random, 12, 1);
+    for_each_small_pixel(triangle, lighting, 12, small.of(triangle));
+  }
+  CAPTURE(small.pixels, small.wrong);
+  CHECK(small.pixels > test::share_of(10000));
+  CHECK(small.wrong < small.pixels / 100);
 }
 
 TEST_CASE(

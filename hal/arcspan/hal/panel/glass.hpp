@@ -43,6 +43,7 @@ struct Glass {
            row_offset <= rows - std::int32_t{height};
   }
 };
+static_assert(!Glass{240, 320, 65500, 0}.fits(240, 320) && Glass{200, 320, 40, 0}.fits(240, 320));
 
 /// Whether the controller has to mirror for a picture in orientation `o` on `glass`.
 [[nodiscard]] constexpr bool mirrors_columns(const Glass& glass, Orientation o) {

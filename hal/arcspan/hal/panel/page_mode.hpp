@@ -50,7 +50,7 @@ class PageMode {
   /// still holds the pixels of an earlier one. A status of `draw` other than kOk ends the frame.
   ///
   /// - kInvalidArgument: `rows` is out of range, a side of the panel no multiple of the layout's steps, or
-  /// `draw` has turned the panel, so that the band has the shape of another picture
+  /// `draw` has turned the panel, so that the band is one of another picture
   /// - kBufferTooSmall: `band` or `wire` is too small
   /// - kNotReady: the panel is not awake
   /// - others: the first failure of `draw` or the panel

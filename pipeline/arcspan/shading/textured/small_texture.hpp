@@ -39,12 +39,13 @@ class SmallCoordinate {
       return wrap_add(wrap_mul(to_middle_, b), wrap_mul(to_bottom_, c));
     }
   }
-  /// True if the change where b and c change by these is half a repetition or more, so that a word that wraps
-  /// does not hold it.
-  [[nodiscard]] constexpr bool wraps(std::int32_t b, std::int32_t c) const {
-    const std::int64_t sum = std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c;
-    return sum != static_cast<std::int32_t>(sum);
+  /// The change where b and c change by these, 18 fraction bits of a repetition, which does not wrap.
+  [[nodiscard]] constexpr std::int32_t wide_change(std::int32_t b, std::int32_t c) const {
+    const std::int64_t sum = (std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c) >> kDropped;
+    constexpr std::int32_t kMost = INT32_MAX;
+    return static_cast<std::int32_t>(sum > kMost ? kMost : sum < -kMost ? -kMost : sum);
   }
+  static constexpr int kDropped = 14;  ///< bits that wide_change() has less than a word
 
  private:
   std::uint32_t at_;        ///< at the top vertex
@@ -60,7 +61,7 @@ struct SmallTexture : TextureLevel {
   std::uint64_t step;  ///< per pixel
 
   /// Prepares the texture of a triangle between three RasterVertex. Returns false if u and v are too far from
-  /// linear on the screen, or their steps too wide to find a mip level by.
+  /// linear on the screen.
   template <TextureFilter Filter, class Raster>
   [[nodiscard]] constexpr bool prepare(const Raster& top, const Raster& middle, const Raster& bottom,
                                        const TextureSize& size, const SmallTriangle& triangle) {
@@ -82,8 +83,9 @@ struct SmallTexture : TextureLevel {
     const std::int32_t du = u.change(triangle.d_middle, triangle.d_bottom, *this);
     const std::int32_t dv = v.change(triangle.d_middle, triangle.d_bottom, *this);
     if (size.levels != 1) {
-      if (loses_steps(range_u, range_v, triangle)) return false;
-      set(size, detail::level_for<Steps>(size, log_area, du, dv, *this));
+      const bool may_wrap = !Steps::kHasBorders && (range_u.range() | range_v.range()) >> 15 != 0;
+      set(size, may_wrap ? wide_level(size, log_area, triangle)
+                         : detail::level_for<Steps>(size, log_area, du, dv, *this));
     }
     const std::uint32_t half = detail::half_texel_of<Filter, Steps>(*this);
     u.set_top(detail::word_of<Steps>(corners.at[0].u, *this) - (half >> width_bits));
@@ -98,12 +100,14 @@ struct SmallTexture : TextureLevel {
   }
 
  private:
-  /// True if the mip level needs a step that wraps. Where u and v change by less than half a repetition in
-  /// the triangle, their steps hardly do.
-  [[nodiscard]] constexpr bool loses_steps(const detail::Extent& range_u, const detail::Extent& range_v,
-                                           const SmallTriangle& triangle) const {
-    if (Steps::kHasBorders || (range_u.range() | range_v.range()) >> 15 == 0) return false;
-    return u.wraps(triangle.d_middle, triangle.d_bottom) || v.wraps(triangle.d_middle, triangle.d_bottom);
+  /// level_for() where u or v change by half a repetition or more in the triangle, so that their steps may
+  /// wrap.
+  [[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned wide_level(const TextureSize& size, std::int32_t log_area,
+                                                              const SmallTriangle& triangle) const {
+    constexpr int kDropped = SmallCoordinate<Steps>::kDropped;
+    const std::int32_t du = u.wide_change(triangle.d_middle, triangle.d_bottom);
+    const std::int32_t dv = v.wide_change(triangle.d_middle, triangle.d_bottom);
+    return detail::mip_level(size, log_area, detail::log_step(size, du, dv, kDropped, kDropped));
   }
 };
 

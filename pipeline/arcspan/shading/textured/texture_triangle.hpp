@@ -34,7 +34,7 @@ struct TextureWords {
 struct TextureTriangle : TextureLevel {
   TextureGrid grid;  ///< set if `piece` is 0; otherwise the planes are
   /// (u - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's range of u and of v, or up
-  /// to twice that.
+  /// to twice that, and at least 1/16 of a repetition.
   LinearPlane u;
   LinearPlane v;
   LinearPlane q;           ///< 1/w, relative to the nearest vertex

@@ -17,6 +17,13 @@ TEST_CASE("help and version end well, nothing to do does not") {
   CHECK(run("polish x").err == "arcspan: no such subcommand: 'polish' (see arcspan --help)\n");
 }
 
+TEST_CASE("the help of show names the display's size and format as its defaults") {
+  const std::string help = run("show --help").out;
+  CHECK(help.find("picture size, each 1...2048 (default: the display's)\n") != std::string::npos);
+  CHECK(help.find("pixel format (default: the display's own)\n") != std::string::npos);
+  CHECK(run("render --help").out.find("(default 320x240)\n") != std::string::npos);
+}
+
 TEST_CASE("an argument that a subcommand does not take is named, whatever else is wrong") {
   CHECK(run("diff a b c").err == "arcspan: c: one argument too many for arcspan diff\n");
   CHECK(run("render sphere:8x4 --shadding arc").err ==

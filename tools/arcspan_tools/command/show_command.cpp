@@ -204,6 +204,8 @@ void add_show_command(CLI::App& app) {
       app.add_subcommand("show", "Show a mesh on a display of this machine until a signal comes (Ctrl-C)");
   add_outline_options(*show, arguments->options);
   add_render_options(*show, arguments->options);
+  show->get_option("--size")->description("picture size, each 1...2048 (default: the display's)");
+  show->get_option("--format")->description("pixel format (default: the display's own)");
   std::string devices = "a graphics card, e.g. /dev/dri/card0, a framebuffer, e.g. /dev/fb0, or a panel:";
   for (const std::string& name : module_names()) devices += " " + name;
   show->add_option("--device,--panel", arguments->device, devices)->required();

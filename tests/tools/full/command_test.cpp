@@ -17,11 +17,13 @@ TEST_CASE("help and version end well, nothing to do does not") {
   CHECK(run("polish x").err == "arcspan: no such subcommand: 'polish' (see arcspan --help)\n");
 }
 
-TEST_CASE("the help of show names the display's size and format as its defaults") {
+TEST_CASE("the help names defaults and ranges: of show the display's size and format") {
   const std::string help = run("show --help").out;
   CHECK(help.find("picture size, each 1...2048 (default: the display's)\n") != std::string::npos);
   CHECK(help.find("pixel format (default: the display's own)\n") != std::string::npos);
   CHECK(run("render --help").out.find("(default 320x240)\n") != std::string::npos);
+  CHECK(run("render --help").out.find("N*N samples a pixel, N 1...8 (default 1)") != std::string::npos);
+  CHECK(run("font --help").out.find("as small (1/N), N 1...8 [1]") != std::string::npos);
 }
 
 TEST_CASE("an argument that a subcommand does not take is named, whatever else is wrong") {

@@ -92,8 +92,8 @@ void add_font_command(CLI::App& app) {
              "bits per pixel: 1, or 4 for smooth edges, of a font that --scale makes smaller", {"1", "4"},
              arguments->bits);
   add_parsed<FontScale>(*font, "--scale", "SCALE",
-                        "makes the font N times as large (N) or as small (1/N) [1]", "1...8 or 1/2...1/8",
-                        parse_scale,
+                        "makes the font N times as large (N) or as small (1/N), N 1...8 [1]",
+                        "1...8 or 1/2...1/8", parse_scale,
                         [arguments](const FontScale& scale) { arguments->options.scale = scale; });
   font->add_option("--name", arguments->name, "the header's namespace (default: from the file's name)")
       ->check([](const std::string& text) {

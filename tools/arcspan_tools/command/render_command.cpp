@@ -132,8 +132,8 @@ void add_render_command(CLI::App& app) {
       ->required();
   add_integer(
       *render, "--samples", "N",
-      "N*N samples a pixel (default 1), for pictures on paper: draws N times as large, and takes the mean", 1,
-      8, arguments->samples);
+      "N*N samples a pixel, N 1...8 (default 1), for paper: draws N times as large, and takes the mean", 1, 8,
+      arguments->samples);
   render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
   render->add_flag(
       "--clips", arguments->options.all_clips,

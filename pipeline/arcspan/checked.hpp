@@ -18,7 +18,7 @@
 ///                      a mesh, transform or illumination that was never made
 ///   framebuffers       open() of a run, or pixel(), outside of bounds()
 ///   set-up             a rotation that is not orthonormal, a direction to a light or to the eye that is not
-///                      a unit vector
+///                      a unit vector; part() of a number that a model does not have
 namespace arcspan {
 
 /// Called with the function and the cause, such as "draw: the depth buffer was never cleared". The library's

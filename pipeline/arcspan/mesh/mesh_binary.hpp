@@ -58,7 +58,7 @@ struct MeshBounds {
 
 /// Makes a view of the mesh in a binary that `arcspan mesh -o NAME.bin` has written. Nothing is copied, so
 /// `bytes` must outlive the view. `bytes` may be longer than the binary, as a flash partition is. The whole
-/// binary is checked once, in time linear in its size. Returns:
+/// binary is checked once, in time linear in its size, except that `bounds` are as it states them. Returns:
 ///
 ///   kOk                `view` and, unless it is null, `bounds` are set; otherwise they are not changed
 ///   kInvalidArgument   `bytes` does not begin at an even address

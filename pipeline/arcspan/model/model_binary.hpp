@@ -42,14 +42,14 @@ inline constexpr std::size_t kPartBytes = 64;
 inline constexpr std::uint16_t kNoTexture = 0xFFFF;
 // Flags of a part.
 inline constexpr std::uint16_t kTwoSided = 1;  ///< back faces are drawn too
-inline constexpr std::uint16_t kMasked = 2;    ///< texels whose alpha is 0 are not drawn
+inline constexpr std::uint16_t kMasked = 2;    ///< texels whose alpha is below one half are not drawn
 inline constexpr std::uint16_t kBlended = 4;   ///< by the alpha of texels
 }  // namespace model_binary
 
 /// How the alpha of a part's texture is meant.
 enum class PartAlpha : std::uint8_t {
   kOpaque,  ///< not at all
-  kMasked,  ///< texels whose alpha is 0 are not drawn
+  kMasked,  ///< texels whose alpha is below one half are not drawn
   kBlended  ///< it is the opacity
 };
 
@@ -103,7 +103,7 @@ class StoredModel {
 ///                      sizes, materials and flags contradict each other
 ///   kIndexOutOfRange   the checksum is right, but an index names no vertex
 ///
-/// Bounding spheres are not checked; with a wrong one an object that is in view may be left out.
+/// Bounding spheres and boxes are not checked; with a wrong sphere an object in view may be left out.
 [[nodiscard]] Status view_model_binary(std::span<const std::uint8_t> bytes, StoredModel& model);
 
 }  // namespace arcspan

@@ -274,6 +274,25 @@ TEST_CASE("mesh: textures in both forms, in any format, and left out") {
         "arcspan: " + lamp + ": has no texture coordinates for --texture\n");
 }
 
+TEST_CASE("mesh: textures get the alpha that materials use, and gray, which has none, is told") {
+  const TemporaryFolder folder;
+  std::string picture("\0\0\2\0\0\0\0\0\0\0\0\0\10\0\10\0\40\10", 18);  // TGA of 8x8 pixels with alpha
+  for (int i = 0; i < 64; ++i) picture += i < 32 ? std::string("\1\2\3\0", 4) : "\1\2\3\377";
+  (void)folder.file("a.tga", picture);
+  (void)folder.file("a.mtl", "newmtl m\nKd 1 1 1\nmap_Kd a.tga\nmap_d a.tga\n");
+  const std::string obj = folder.file("a.obj", kSquare);
+  const auto mesh_in = [&](const std::string& format) {
+    return run("mesh " + obj + " -o " + (folder / "a.bin") + " --texture-format " + format);
+  };
+  const CommandRun masked = mesh_in("pal8");
+  CHECK(masked.err.empty());
+  CHECK(masked.out.find(" texels, pal8-5551,") != std::string::npos);
+  const CommandRun gray = mesh_in("gray");
+  CHECK(gray.err ==
+        "arcspan: warning: " + obj + ": the opacity of textures is not written: the format gray has none\n");
+  CHECK(gray.out.find(" texels, gray,") != std::string::npos);
+}
+
 TEST_CASE("mesh and texture: mip levels end where islands of the texture would have less than two texels") {
   const TemporaryFolder folder;
   (void)folder.file("a.mtl", "newmtl m\nmap_Kd tiles.ppm\n");

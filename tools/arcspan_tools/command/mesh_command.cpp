@@ -131,14 +131,26 @@ void check_rig(const MeshArguments& arguments, CompiledOutput output, Model& mod
     throw Failure("--crease", needs + "normals are made anew for one pose");
 }
 
+/// Warns of opacity that is left out: that of materials, and that of texels in a format without alpha.
+void warn_of_opacity(const MeshArguments& arguments, const Model& model) {
+  const auto warn_if = [&](const auto& is_lost, const char* what) {
+    if (std::any_of(model.parts.begin(), model.parts.end(), is_lost)) warn(arguments.model, what);
+  };
+  warn_if([](const ModelPart& part) { return part.look.material.opacity < 1; },
+          "the opacity of materials is not written");
+  if (arguments.texture_options.format.layout != TexelLayout::kGray) return;
+  warn_if(
+      [](const ModelPart& part) {
+        return part.look.material.texture != nullptr && part.look.material.alpha_mode != AlphaMode::kOpaque;
+      },
+      "the opacity of textures is not written: the format gray has none");
+}
+
 Made make(const MeshArguments& arguments, CompiledOutput output) {
   Model data = load_model(arguments.model, {}, arguments.texture, arguments.colours, arguments.pose);
   check_rig(arguments, output, data);
   if (!arguments.textures) remove_textures(data);
-  const auto is_glass = [](const ModelPart& part) { return part.look.material.opacity < 1; };
-  if (std::any_of(data.parts.begin(), data.parts.end(), is_glass)) {
-    warn(arguments.model, "the opacity of materials is not written");
-  }
+  warn_of_opacity(arguments, data);
   if (!arguments.group.empty()) data = select_parts(std::move(data), arguments.group, arguments.model);
   data = as_stored(data);
   Made made{{}, to_fixed(data), {}};

@@ -2,14 +2,15 @@
 // drawing_jobs OUTPUT METHOD...: reads lines of jobs from standard input,
 //
 //     MESH WIDTH HEIGHT VIEW_X VIEW_Y blinn|phong SHININESS BAND_ROWS plain|planes|split FOV BITS REPEATS
-//     AXES OUTLINES
+//     AXES OUTLINES EYE
 //
 // writes them for tests/firmware/cost_jobs.hpp, and prints for each of them, as JSON, the events that each
 // method draws it by, and the estimate for a Cortex-M3. The method `outlines` has those of its outlines
 // alone. FOV is the camera's angle. `split` meshes share few vertices. BITS are log2 of the texture's
 // size, 3...7, or 0 for no texture; REPEATS times it is seen along the mesh; AXES, 0...3, are those of the
 // mesh that it is mapped along, and 4 is added for one mip level. OUTLINES are `none`, or smoothed, and begin
-// with the width of their ink or 0; `c` after it inks creases, `r` curves them.
+// with the width of their ink or 0; `c` after it inks creases, `r` curves them. EYE is the
+// distance of the camera from the mesh's middle, in its largest coordinate, or 0: the whole mesh is seen.
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
@@ -18,9 +19,11 @@
 #include <nlohmann/json.hpp>
 #include <tests/firmware/job_layout.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -51,6 +54,7 @@ struct Line {
   double repeats = 0;
   int axes = 0;
   std::string outlines;
+  double eye = 0;
 
   [[nodiscard]] bool has(char letter) const { return outlines.find(letter) != std::string::npos; }
   [[nodiscard]] std::uint8_t ink_width() const { return static_cast<std::uint8_t>(outlines[0] - '0'); }
@@ -61,7 +65,7 @@ Line parse(const std::string& text) {
   Line line;
   if (!(in >> line.mesh >> line.size.width >> line.size.height >> line.view_x >> line.view_y >>
         line.highlight >> line.shininess >> line.band_rows >> line.planes >> line.fov >> line.bits >>
-        line.repeats >> line.axes >> line.outlines)) {
+        line.repeats >> line.axes >> line.outlines >> line.eye)) {
     throw std::runtime_error("not a job: " + text);
   }
   return line;
@@ -106,6 +110,14 @@ void drop_levels(RenderPart& part) {
                                        texture->view)))
     throw std::runtime_error("the texture has too few texels");
   part.texture = std::move(texture);
+}
+
+/// Where the camera stands that is so near that it sees a part of the mesh.
+Vec3 near_eye(const Line& line, const FixedMesh& mesh) {
+  std::int32_t most = 0;
+  for (const ObjectPosition& p : mesh.positions)
+    most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return mesh.centre + normalised({line.view_x, line.view_y, 1}) * (line.eye * most * mesh.unit);
 }
 
 Scene scene_of(const Line& line) {
@@ -187,7 +199,8 @@ int main(int count, char** arguments) try {
   for (std::string text; std::getline(std::cin, text);) {
     const Line line = parse(text);
     const FixedModel model = load(line);
-    const Scene scene = scene_of(line);
+    Scene scene = scene_of(line);
+    if (line.eye != 0) scene.camera.eye = near_eye(line, model.meshes[0]);
     RenderJob job = make_job(scene, model, line.mesh);
     if ((line.axes & 4) != 0) drop_levels(job.parts[0]);
     const Camera camera = place_camera(scene.camera, model, scene.size);

@@ -5,9 +5,11 @@
 #include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
 #include <arcspan_tools/render/scene.hpp>
+#include <arcspan_tools/simulate/forecast.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -80,6 +82,30 @@ TEST_CASE("the events of a picture are the spans and pixels that drawing it coun
   }
 }
 
+TEST_CASE("triangles across a clip plane are events of every band") {
+  const FixedModel model = loaded("torus:24x12");
+  const auto picture_of = [&model](std::int32_t band_rows) {
+    Scene scene;
+    scene.size = {120, 90};
+    scene.band_rows = band_rows;
+    scene.camera.eye = Vec3{0.9, 0.2, 0.3};  // inside the tube
+    return picture_events("arc", make_job(scene, model, "torus")).value();
+  };
+  const auto whole = picture_of(90);
+  const double cut = amount_of(whole, "clipped triangle");
+  REQUIRE(cut > 10);
+  // Clipping leaves up to a corner more for each plane, or nothing.
+  CHECK(amount_of(whole, "clip corner") > 2 * cut);
+  CHECK(amount_of(whole, "clip corner") < 6 * cut);
+  CHECK(amount_of(picture_of(16), "clipped triangle") > cut);
+  for (const ForecastCore& core : kForecastCores) {
+    auto without = whole;
+    std::erase_if(without[0].terms, [](const CostTerm& term) { return term.name.starts_with("clip"); });
+    CHECK(instructions_on(core.weights, whole).value() >
+          instructions_on(core.weights, without).value() + 1000 * cut);
+  }
+}
+
 TEST_CASE("the events of outlines are the edges and places that inking and smoothing list") {
   const FixedModel model = with_neighbours(loaded("torus:24x12"), "torus");
   for (const std::int32_t band_rows : {90, 16}) {
@@ -123,7 +149,7 @@ TEST_CASE("the events of outlines are the edges and places that inking and smoot
   }
 }
 
-TEST_CASE("there are no events of several lights, fog, transparency, and methods without weights") {
+TEST_CASE("there are no events of several lights, fog, transparency, toon, and methods without weights") {
   const FixedModel model = loaded("sphere:8x4");
   const RenderJob plain = job_of(model, 90);
   CHECK(picture_events("arc", plain));
@@ -134,6 +160,10 @@ TEST_CASE("there are no events of several lights, fog, transparency, and methods
   job = plain;
   job.parts[0].transparency = Transparency::kAlpha;
   CHECK_FALSE(picture_events("arc", job));
+  job = plain;
+  job.toon_steps = 4;
+  CHECK_FALSE(picture_events("arc", job));
+  CHECK(picture_events("gouraud", job));
   CHECK_FALSE(instructions_on("no such core", *picture_events("arc", plain)));
 }
 

@@ -150,6 +150,13 @@ TEST_CASE(
   CHECK(without("--shading phong") == "drawing: no figures of phong shading on a Cortex-M3");
   CHECK(without("--light 1,0,0 --light 0,1,0") == "drawing: no figures of several lights on a Cortex-M3");
   CHECK(without("--fog 1,9") == "drawing: no figures of textures and effects on a Cortex-M3");
+  CHECK(without("--no-depth").ends_with("; as with depth: less is taken without)"));
+  CHECK(without("--toon 4") == "drawing: no figures of toon light on a Cortex-M3");
+  // The estimate is one of pixels in rgb565.
+  const std::string other = "; without dither and in rgb565: else a pixel takes up to 40 more)";
+  CHECK(without("--no-dither").find(other) == std::string::npos);
+  CHECK(without("--no-dither --panel ssd1306").ends_with(other));
+  CHECK(without("").ends_with(other));
 }
 
 TEST_CASE("the bus has the clock of the controller's data sheet, and simulate warns of a higher one") {

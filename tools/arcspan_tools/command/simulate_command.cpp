@@ -53,6 +53,7 @@ struct Totals {
   hal::sim::BusCount bus;
   std::string without_figures;    ///< empty: all was estimated
   std::string other_methods;      ///< by_other_methods() of the first frame
+  bool other_pixels = false;      ///< they are not stored as estimated: rgb565 without dither
   bool grey = false;              ///< textures are estimated as drawn by GreyGouraud
   std::string outlines;           ///< RenderOptions::outline_text()
   std::size_t outline_bytes = 0;  ///< the most of a frame; 0 without smoothing and ink
@@ -108,7 +109,8 @@ class GlassOutput {
 // The part of the job for which draw_instructions() has no estimate.
 std::string without_figures(const std::string& shading, const RenderJob& job) {
   if (has_surfaces(job)) return "textures and effects";
-  return job.lights.size() != 1 ? "several lights" : shading + " shading";
+  if (job.lights.size() != 1) return "several lights";
+  return job.toon_steps != 0 ? "toon light" : shading + " shading";
 }
 
 bool has_textures(const RenderJob& job) {
@@ -173,6 +175,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     if (instructions && events->back().weights == kOutlineWeights)
       totals.outline_instructions += instructions_on(kSimulatedCore, {events->back()}).value();
     if (instructions && i == 0) totals.other_methods = by_other_methods(*instructions, options.shading, job);
+    totals.other_pixels = display.format() != "rgb565" || options.dither;
     totals.grey = options.shading == "gouraud" && has_textures(job);
     if (!instructions) totals.without_figures = without_figures(options.shading, job);
     const double others = instructions ? all_pixels * pixel_cost : 0;
@@ -192,6 +195,15 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   totals.bus.busy_ns -= start.busy_ns;
   totals.bus.transfers -= start.transfers;
   return totals;
+}
+
+/// What else the estimate assumes, for the end of its line.
+std::string assumptions(const SimulateArguments& arguments, const Totals& totals) {
+  std::string text;
+  if (totals.grey) text += "; textures in grey light";
+  if (totals.other_pixels) text += "; without dither and in rgb565: else a pixel takes up to 40 more";
+  if (!arguments.options.scene.depth) text += "; as with depth: less is taken without";
+  return text;
 }
 
 std::string report(const SimulateArguments& arguments, const SimulatedDisplay& display,
@@ -214,9 +226,9 @@ std::string report(const SimulateArguments& arguments, const SimulatedDisplay& d
     const double frame_ms = static_cast<double>(totals.frame_ns) / 1e6 / frames;
     text += formatted(
         "drawing: %.0f instructions, clearing and packing %.0f: %.3f ms a frame on a Cortex-M3 at %g MHz (an "
-        "estimate; vertices and rows of triangles are kept%s)\n",
-        totals.instructions / frames, totals.other_instructions / frames, draw_ms, arguments.cpu_mhz,
-        totals.grey ? "; textures in grey light" : "");
+        "estimate; vertices and rows of triangles are kept",
+        totals.instructions / frames, totals.other_instructions / frames, draw_ms, arguments.cpu_mhz);
+    text += assumptions(arguments, totals) + ")\n";
     if (!totals.other_methods.empty())
       text += formatted("the first frame by other methods: %s\n", totals.other_methods.c_str());
     text += formatted("both, %s: %.3f ms, %.1f frames a second; bottleneck: %s\n",

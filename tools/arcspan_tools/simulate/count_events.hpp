@@ -127,6 +127,20 @@ class CountedTriangles {
   DrawEvents& events_;
 };
 
+/// Counts what clipping a triangle on one of its sides leaves.
+template <class Method>
+void count_clipped(const VertexStage<Method>& stage, const TriangleIndices& t, arcspan::detail::Facing facing,
+                   DrawEvents& events) {
+  ++events.clipped;
+  const TriangleIndices order = arcspan::detail::in_clip_order(t, facing);
+  ClipPolygon<Method> polygon;
+  std::size_t corner = 0;
+  for (const std::uint16_t i : {order.a, order.b, order.c})
+    polygon[corner++].position = stage.clip_position(i);
+  clip_polygon(polygon, stage.transform().w_range());
+  events.clip_corners += static_cast<double>(polygon.count());
+}
+
 /// Counts what the loop over the triangles of a mesh finds in a band, from the vertices that it has left.
 template <class Method>
 void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedVertex<Method>>& cache,
@@ -144,7 +158,9 @@ void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedV
     const CachedVertex<Method>& b = cache[t.b];
     const CachedVertex<Method>& c = cache[t.c];
     if ((a.outcode | b.outcode | c.outcode) != 0) {
-      if ((a.outcode & b.outcode & c.outcode) == 0) ++events.clipped;
+      if ((a.outcode & b.outcode & c.outcode) != 0) continue;
+      count_clipped(stage, t, arcspan::detail::Facing::kFront, events);
+      if (two_sided) count_clipped(stage, t, arcspan::detail::Facing::kBack, events);
       continue;
     }
     const RasterPosition& p = a.raster.position;

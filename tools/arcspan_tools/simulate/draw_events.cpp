@@ -42,6 +42,7 @@ std::vector<CostTerm> DrawEvents::terms() const {
   add("facing triangle", facing, terms);
   add("front", fronts, terms);
   add("clipped triangle", clipped, terms);
+  add("clip corner", clip_corners, terms);
   add("triangle in view", in_view, terms);
   add("small row", small_rows, terms);
   add("small empty", small_empty, terms);

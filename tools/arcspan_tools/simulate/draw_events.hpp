@@ -43,6 +43,7 @@ struct DrawEvents {
   double facing = 0;          ///< the same, but known by their planes to face the camera
   double fronts = 0;          ///< not culled
   double clipped = 0;         ///< across a clip plane
+  double clip_corners = 0;    ///< of what clipping leaves of these
   double in_view = 0;         ///< fronts within the band
   double small_rows = 0;      ///< of small triangles, with or without pixels
   double small_empty = 0;     ///< small triangles without pixels, but with rows

@@ -99,6 +99,8 @@ void draw_hidden(DrawEvents& events) {
 
 std::optional<std::vector<PartEvents>> picture_events(std::string_view shading, const RenderJob& job) {
   if (job.lights.size() != 1 || job.fog != nullptr || job.matcap != nullptr) return std::nullopt;
+  // The weights of arc are those of gradual highlights; the others draw no toon highlights.
+  if (job.toon_steps != 0 && shading == "arc") return std::nullopt;
   JobOutlines outlines(job);
   EventPicture picture(job.transform.viewport(), job.band_rows, outlines.margin());
   std::vector<PartEvents> found;

@@ -27,7 +27,7 @@ struct PartEvents {
 
 /// The events of drawing the parts of a job by a method, those with textures by its textured form, which is
 /// that of GreyGouraud for gouraud, and at last those of its outlines, if it has some. Nothing if there are
-/// several lights, or an effect or a method without weights.
+/// several lights, toon light by arc, or an effect or a method without weights.
 [[nodiscard]] std::optional<std::vector<PartEvents>> picture_events(std::string_view shading,
                                                                     const RenderJob& job);
 

@@ -5,6 +5,8 @@
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
+#include <cstddef>
+#include <fstream>
 #include <string>
 
 using namespace arcspan::test;
@@ -41,6 +43,20 @@ TEST_CASE("a forecast has figures of every method on every core") {
   CHECK(made.at("ram").at("rows") == 2 * (576 + 36));
   CHECK(figure(forecast_of("torus:24x12", "--size 120x160"), "arc", "Cortex-M3") <
         figure(made, "arc", "Cortex-M3"));
+}
+
+TEST_CASE("bands keep the vertices and rows of all parts") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "two.obj")
+      << "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl a\nf 1 2 3\nf 2 4 3\n"
+         "usemtl b\nf 1 3 2\n";
+  std::ofstream(folder / "two.mtl") << "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n";
+  const nlohmann::json ram = forecast_of(folder / "two.obj").at("ram");
+  const std::size_t vertex = ram.at("vertices").get<std::size_t>() / 4;
+  CHECK(ram.at("kept_vertices") == (4 + 3) * vertex);
+  CHECK(ram.at("rows") == 2 * (2 + 1));  // no batch of 16
+  const nlohmann::json one = forecast_of("torus:24x12").at("ram");
+  CHECK(one.at("kept_vertices") == one.at("vertices"));
 }
 
 TEST_CASE("a forecast of a character has its joints, and the pose is paid for") {

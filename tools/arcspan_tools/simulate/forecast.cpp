@@ -45,14 +45,12 @@ void set_memory(const FixedModel& model, Forecast& made) {
   constexpr std::size_t kBytesPerPixel = 4;
   made.frame_bytes = kBytesPerPixel * pixels;
   made.band_bytes = kBytesPerPixel * static_cast<std::size_t>(made.size.width) * Forecast::kBandRows;
-  std::size_t most = 0;
-  std::size_t most_triangles = 0;
+  const std::size_t vertex = has_textures(model) ? sizeof(CachedVertex<Mapped>) : sizeof(CachedVertex<Lit>);
   for (const FixedMesh& mesh : model.meshes) {
-    most = std::max(most, mesh.positions.size());
-    most_triangles = std::max(most_triangles, mesh.indices.size() / 3);
+    made.cache_bytes = std::max(made.cache_bytes, mesh.positions.size() * vertex);
+    made.kept_bytes += mesh.positions.size() * vertex;
+    made.row_bytes += TriangleRows::entries(mesh.indices.size() / 3) * sizeof(TriangleRows);
   }
-  made.row_bytes = TriangleRows::entries(most_triangles) * sizeof(TriangleRows);
-  made.cache_bytes = most * (has_textures(model) ? sizeof(CachedVertex<Mapped>) : sizeof(CachedVertex<Lit>));
   if (model.animation == nullptr) return;
   made.pose_bytes = model.animation->nodes.size() * sizeof(NodeMatrix);
   for (const FixedSkin& skin : model.animation->skins) made.pose_bytes += skin.size() * sizeof(JointMatrix);

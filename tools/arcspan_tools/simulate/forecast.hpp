@@ -44,7 +44,8 @@ struct Forecast {
   std::size_t frame_bytes = 0;  ///< of RAM: colours and depths
   std::size_t band_bytes = 0;   ///< both in bands of kBandRows
   std::size_t cache_bytes = 0;  ///< vertices of the largest part, by arc
-  std::size_t row_bytes = 0;    ///< rows of its triangles, for bands
+  std::size_t kept_bytes = 0;   ///< vertices of all parts, which bands keep: each part has its own
+  std::size_t row_bytes = 0;    ///< rows of all their triangles, for bands
   std::size_t pose_bytes = 0;   ///< nodes and joints
   std::size_t model_bytes = 0;  ///< of flash
   bool textured = false;        ///< a part has a texture

@@ -2,7 +2,7 @@
 // drawing_jobs OUTPUT METHOD...: reads lines of jobs from standard input,
 //
 //     MESH WIDTH HEIGHT VIEW_X VIEW_Y blinn|phong SHININESS BAND_ROWS plain|planes|split FOV BITS REPEATS
-//     AXES OUTLINES EYE
+//     AXES OUTLINES EYE SPECULAR
 //
 // writes them for tests/firmware/cost_jobs.hpp, and prints for each of them, as JSON, the events that each
 // method draws it by, and the estimate for a Cortex-M3. The method `outlines` has those of its outlines
@@ -11,6 +11,7 @@
 // mesh that it is mapped along, and 4 is added for one mip level. OUTLINES are `none`, or smoothed, and begin
 // with the width of their ink or 0; `c` after it inks creases, `r` curves them. EYE is the
 // distance of the camera from the mesh's middle, in its largest coordinate, or 0: the whole mesh is seen.
+// SPECULAR is the red of highlights, which have half of it in green and none in blue, or -1: they are white.
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
@@ -55,6 +56,7 @@ struct Line {
   int axes = 0;
   std::string outlines;
   double eye = 0;
+  double specular = -1;
 
   [[nodiscard]] bool has(char letter) const { return outlines.find(letter) != std::string::npos; }
   [[nodiscard]] std::uint8_t ink_width() const { return static_cast<std::uint8_t>(outlines[0] - '0'); }
@@ -65,7 +67,7 @@ Line parse(const std::string& text) {
   Line line;
   if (!(in >> line.mesh >> line.size.width >> line.size.height >> line.view_x >> line.view_y >>
         line.highlight >> line.shininess >> line.band_rows >> line.planes >> line.fov >> line.bits >>
-        line.repeats >> line.axes >> line.outlines >> line.eye)) {
+        line.repeats >> line.axes >> line.outlines >> line.eye >> line.specular)) {
     throw std::runtime_error("not a job: " + text);
   }
   return line;
@@ -130,6 +132,8 @@ Scene scene_of(const Line& line) {
   scene.surface.shininess = line.shininess;
   scene.chosen.shininess = true;
   scene.band_rows = line.band_rows;
+  scene.chosen.specular = line.specular >= 0;
+  if (line.specular >= 0) scene.surface.specular.rgb = {line.specular, line.specular / 2, 0};
   if (line.outlines == "none") return scene;
   scene.outlines.curved = line.has('r');
   if (line.ink_width() != 0) scene.outlines.ink = OutlineInk{{}, line.ink_width(), line.has('c')};

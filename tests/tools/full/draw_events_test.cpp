@@ -106,6 +106,23 @@ TEST_CASE("triangles across a clip plane are events of every band") {
   }
 }
 
+TEST_CASE("highlights that are black or coloured are events of their own") {
+  const FixedModel model = loaded("sphere:8x4");
+  RenderJob job = job_of(model, 90);
+  job.tolerance = 0;
+  const auto white = picture_events("arc", job).value();
+  const double shiny = amount_of(white, "shiny pixel");
+  CHECK(shiny > 100);
+  CHECK(amount_of(white, "tinted pixel") == 0);
+  job.parts[0].material.specular.b = {};
+  const auto yellow = picture_events("arc", job).value();
+  CHECK(amount_of(yellow, "shiny pixel") == 0);
+  CHECK(amount_of(yellow, "tinted pixel") >= shiny);
+  for (const ForecastCore& core : kForecastCores)
+    CHECK(instructions_on(core.weights, yellow).value() >
+          instructions_on(core.weights, white).value() + 8 * shiny);
+}
+
 TEST_CASE("the events of outlines are the edges and places that inking and smoothing list") {
   const FixedModel model = with_neighbours(loaded("torus:24x12"), "torus");
   for (const std::int32_t band_rows : {90, 16}) {

@@ -183,12 +183,15 @@ void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedV
   }
 }
 
-/// Draws a part with a cache that it keeps from band to band, and adds the events.
+/// Draws a part with a cache that it keeps from band to band, and adds the events. `tints`: its highlights
+/// have a colour, or are black.
 template <class Plain>
 void count_events(const RenderPart& part, const ClipTransform& transform,
-                  const typename Plain::Lighting& lighting, EventPicture& picture, DrawEvents& events) {
+                  const typename Plain::Lighting& lighting, bool tints, EventPicture& picture,
+                  DrawEvents& events) {
   using Counting = EventMethod<Plain>;
   EventTarget target;
+  target.tints = tints;
   EventTarget::current = &target;
   VertexStage<Counting> stage(part.mesh, transform, lighting);
   if (!part.two_sided) stage.find_back_faces();

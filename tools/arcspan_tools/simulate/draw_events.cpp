@@ -62,6 +62,7 @@ std::vector<CostTerm> DrawEvents::terms() const {
   add("piece", pieces, terms);
   add("new level", new_levels, terms);
   add("shiny pixel", shiny, terms);
+  add("tinted pixel", tinted, terms);
   add_paths("small", small, terms);
   add_paths("path", large, terms);
   add_paths("perspective", perspective, terms);

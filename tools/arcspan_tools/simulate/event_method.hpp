@@ -19,6 +19,7 @@ namespace arcspan::tools {
 struct EventTarget {
   DrawEvents events{};
   DrawEvents::Path* path = nullptr;   ///< of the current triangle
+  bool tints = false;                 ///< highlights have a colour, or are black
   DrawEvents::Path* light = nullptr;  ///< the same, but for a texture in perspective
 
   static inline EventTarget* current = nullptr;
@@ -36,7 +37,15 @@ struct EventRun : Run {
     if constexpr (requires { shown.shine; }) {
       if (shown.shine != 0) ++target.events.shiny;
     } else if constexpr (LightRun<Run, Lighting>) {
-      if (PixelLight(Run::light(lighting)).highlight.lanes != 0) ++target.events.shiny;
+      const auto light = Run::light(lighting);
+      if constexpr (requires { lighting.closeness(light.scalars, 0); }) {
+        if (target.tints) {
+          const bool looks_up = lighting.closeness(light.scalars, 0) > 0 && light.scalars[0].raw() > 0;
+          if (looks_up) ++target.events.tinted;
+          return shown;
+        }
+      }
+      if (PixelLight(light).highlight.lanes != 0) ++target.events.shiny;
     }
     return shown;
   }

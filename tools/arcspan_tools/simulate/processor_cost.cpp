@@ -45,11 +45,20 @@ std::unique_ptr<typename Method::Lighting> make_lighting(const RenderPart& part,
   return lighting;
 }
 
+/// True if highlights are not white.
+bool has_tint(const Material& material, const DirectionalLight& light) {
+  const auto product = [](Coefficient a, Coefficient b) { return std::int64_t{a.raw()} * b.raw(); };
+  const std::int64_t red = product(material.specular.r, light.colour.r);
+  return red == 0 || red != product(material.specular.g, light.colour.g) ||
+         red != product(material.specular.b, light.colour.b);
+}
+
 template <class Method, class Light>
 void count_part(const RenderPart& part, const RenderJob& job, EventPicture& picture, DrawEvents& events) {
   const auto lighting = make_lighting<Method, Light>(part, job);
   if constexpr (requires { lighting->texture; }) lighting->texture = part.texture->view;
-  count_events<Method>(part, job.transform, *lighting, picture, events);
+  count_events<Method>(part, job.transform, *lighting, has_tint(part.material, job.lights[0]), picture,
+                       events);
 }
 
 using Blinn = Illumination<1, Highlight::kBlinn>;

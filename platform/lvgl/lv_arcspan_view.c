@@ -207,7 +207,11 @@ static void before_refresh(lv_event_t* e) {
 static void on_refresh_start(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
   view->is_refreshing = true;
-  if (!view->changed || !lv_obj_is_visible(&view->obj)) return;
+  if (!view->changed) return;
+  if (!lv_obj_is_visible(&view->obj)) {
+    if (view->seen != view->scene) free_view(view); /* of a scene that need not stay any longer */
+    return;
+  }
   invalidate_shown(view);
   prepare(view);
   show_drawn(view);

@@ -594,6 +594,7 @@ TEST_CASE("a hidden view forgets a scene that was taken away") {
   lv_arcspan_view_set_scene(view, nullptr);
   screen.refresh();
   balls.reset();
+  CHECK(lv_arcspan_view_get_view(view) == nullptr);
   (void)snapshot_of(view);
   CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_NOT_READY);
 }

@@ -345,9 +345,17 @@ static void turn_by_user(lv_arcspan_view_t* view, int32_t dx, int32_t dy) {
 static void on_drag(lv_arcspan_view_t* view) {
   lv_indev_t* const indev = lv_indev_active();
   if (indev == NULL) return;
+#if LV_USE_GESTURE_RECOGNITION
+  if (view->pinched) return; /* this is one of two fingers */
+#endif
   lv_point_t moved;
   lv_indev_get_vect(indev, &moved);
-  turn_by_user(view, moved.x, moved.y);
+  lv_point_t at;
+  lv_indev_get_point(indev, &at);
+  /* Points, not the vector, so that what is rounded does not add up. */
+  lv_point_t points[] = {{at.x - moved.x, at.y - moved.y}, at};
+  lv_obj_transform_point_array(&view->obj, points, 2, LV_OBJ_POINT_TRANSFORM_FLAG_INVERSE_RECURSIVE);
+  turn_by_user(view, points[1].x - points[0].x, points[1].y - points[0].y);
 }
 
 static void on_key(lv_arcspan_view_t* view, uint32_t key) {
@@ -427,6 +435,11 @@ static void event(const lv_obj_class_t* class_p, lv_event_t* e) {
     case LV_EVENT_STYLE_CHANGED:
       change(view);
       break;
+#if LV_USE_GESTURE_RECOGNITION
+    case LV_EVENT_PRESSED:
+      view->pinched = false; /* the end of the last pinch may have been sent to none */
+      break;
+#endif
     case LV_EVENT_PRESSING:
       on_drag(view);
       break;

@@ -84,6 +84,102 @@ TEST_CASE("arrow keys and an encoder turn the object") {
   CHECK(lv_arcspan_view_get_rotation(view).y > once);
 }
 
+/// A drag of the mouse from the middle of the view by 12 pixels to the right. Returns the rotation after it.
+arcspan_quaternion rotation_after_drag(lv_obj_t* view) {
+  lv_test_wait(50);
+  lv_test_mouse_move_to(70, 50);
+  lv_test_mouse_press();
+  lv_test_wait(50);
+  lv_test_mouse_move_by(12, 0);
+  lv_test_wait(50);
+  lv_test_mouse_release();
+  lv_test_wait(50);
+  return lv_arcspan_view_get_rotation(view);
+}
+
+TEST_CASE("a drag over a view that is turned and scaled moves the object as the finger moves") {
+  TestDisplay display;
+  lv_obj_t* const box = lv_obj_create(lv_screen_active());
+  lv_obj_remove_style_all(box);
+  lv_obj_set_size(box, 160, 120);
+  lv_obj_t* const view = make_view(display.balls);
+  lv_obj_set_parent(view, box);
+  const std::int32_t straight = rotation_after_drag(view).y;
+  lv_arcspan_view_set_rotation(view, ARCSPAN_NO_ROTATION);
+  lv_obj_set_style_transform_pivot_x(box, 70, 0);
+  lv_obj_set_style_transform_pivot_y(box, 50, 0);
+  SECTION("by its own style") {
+    lv_obj_set_style_transform_pivot_x(view, 50, 0);
+    lv_obj_set_style_transform_pivot_y(view, 40, 0);
+    lv_obj_set_style_transform_rotation(view, 900, 0);
+  }
+  SECTION("by that of its parent") { lv_obj_set_style_transform_rotation(box, 900, 0); }
+  SECTION("to twice its size") {
+    lv_obj_set_style_transform_scale(box, 512, 0);
+    CHECK(std::abs(rotation_after_drag(view).y - straight / 2) < straight / 8);
+    return;
+  }
+  // The picture's upper side is now at the right: the finger moves upwards in it.
+  const arcspan_quaternion turned = rotation_after_drag(view);
+  CHECK(std::abs(turned.x + straight) < straight / 8);
+  CHECK(std::abs(turned.y) < straight / 8);
+}
+
+#if LV_USE_GESTURE_RECOGNITION
+/// A touch panel with two fingers, `distance` pixels apart, or none if that is 0.
+struct Fingers {
+  std::int32_t distance = 0;
+  lv_indev_t* device = lv_indev_create();
+
+  Fingers() {
+    lv_indev_set_type(device, LV_INDEV_TYPE_POINTER);
+    lv_indev_set_user_data(device, this);
+    lv_indev_set_read_cb(device, [](lv_indev_t* indev, lv_indev_data_t* data) {
+      const auto& fingers = *static_cast<const Fingers*>(lv_indev_get_user_data(indev));
+      const std::int32_t half = fingers.distance / 2;
+      const lv_indev_state_t state = half != 0 ? LV_INDEV_STATE_PRESSED : LV_INDEV_STATE_RELEASED;
+      lv_indev_touch_data_t touches[2] = {};
+      for (int i = 0; i < 2; ++i) {
+        touches[i].point = {i == 0 ? 70 - half : 70 + half, 50};
+        touches[i].state = state;
+        touches[i].id = static_cast<std::uint8_t>(i);
+      }
+      data->point = touches[0].point;
+      lv_indev_gesture_recognizers_update(indev, touches, 2);
+      lv_indev_gesture_recognizers_set_data(indev, data);
+    });
+  }
+  /// Holds the fingers so for some readings.
+  void hold(std::int32_t pixels) {
+    distance = pixels;
+    lv_test_wait(200);
+  }
+};
+
+TEST_CASE("a pinch scales the object from its scale on, and does not turn it") {
+  TestDisplay display;
+  lv_obj_t* const view = make_view(display.balls);
+  Fingers fingers;
+  lv_test_wait(50);
+  fingers.hold(20);
+  fingers.hold(40);
+  const arcspan_quaternion before = lv_arcspan_view_get_rotation(view);
+  CHECK(lv_arcspan_view_get_scale(view) == ARCSPAN_LENGTH(2));
+  fingers.hold(60);
+  CHECK(lv_arcspan_view_get_scale(view) == ARCSPAN_LENGTH(3));
+  CHECK(lv_arcspan_view_get_rotation(view).y == before.y);
+  SECTION("whose end it was told") { fingers.hold(0); }
+  SECTION("whose end it was not told") {
+    lv_indev_wait_release(fingers.device);
+    fingers.hold(0);
+  }
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.5));
+  fingers.hold(20);
+  fingers.hold(40);
+  CHECK(lv_arcspan_view_get_scale(view) == ARCSPAN_LENGTH(1));
+}
+#endif
+
 TEST_CASE("styles: background, border, round corners, opacity, layers and transforms") {
   TestDisplay display;
   lv_obj_t* const view = make_view(display.balls);

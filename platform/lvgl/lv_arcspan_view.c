@@ -198,9 +198,12 @@ static void lay_out(lv_event_t* e) { lv_obj_update_layout(lv_event_get_user_data
 
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
+  const bool is_own = lv_event_get_current_target(e) == lv_obj_get_display(&view->obj);
+  if (!is_own && view->is_refreshing) return;
   /* A hidden view leaves the object to the visible one, as of another tab. */
-  view->is_turned = view->changed && view->scene != NULL && lv_obj_is_visible(&view->obj);
-  if (view->is_turned) view->turn_status = turn_object(view);
+  const bool turns = view->changed && view->scene != NULL && lv_obj_is_visible(&view->obj);
+  if (turns) view->turn_status = turn_object(view);
+  view->is_turned = turns && is_own;
 }
 
 /* Of the display, before it finds out what to draw. */
@@ -402,7 +405,10 @@ static void constructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   lv_obj_set_scrollable(obj, false);
   lv_display_t* const display = lv_obj_get_display(obj);
   lv_display_add_event_cb(display, lay_out, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
-  lv_display_add_event_cb(display, before_refresh, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
+  for (lv_display_t* any = lv_display_get_next(NULL); any != NULL; any = lv_display_get_next(any)) {
+    /* A view of another display may show the object. */
+    lv_display_add_event_cb(any, before_refresh, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
+  }
   lv_display_add_event_cb(display, on_refresh_start, LV_EVENT_REFR_START, view);
   lv_display_add_event_cb(display, on_refresh_end, LV_EVENT_REFR_READY, view);
 }

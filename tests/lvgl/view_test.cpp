@@ -464,6 +464,39 @@ TEST_CASE(
   CHECK((screen.pixels == once));
 }
 
+TEST_CASE(
+    "a view of another display shows the object as it is turned, whichever display is refreshed first") {
+  Screen screen;
+  lv_display_t* const own = lv_display_get_default();
+  lv_display_t* const second = lv_display_create(40, 40);
+  std::vector<std::uint8_t> buffer(40 * 40 * 2);
+  lv_display_set_buffers(second, buffer.data(), nullptr, static_cast<std::uint32_t>(buffer.size()),
+                         LV_DISPLAY_RENDER_MODE_PARTIAL);
+  lv_display_set_flush_cb(second, [](lv_display_t* display, const lv_area_t*, std::uint8_t*) {
+    lv_display_flush_ready(display);
+  });
+  BallScene balls;
+  lv_obj_t* const other = make_view(balls);
+  lv_arcspan_view_set_turned(other, LV_ARCSPAN_NO_OBJECT);
+  lv_display_set_default(second);
+  lv_obj_t* const turning = make_view(balls);
+  lv_display_set_default(own);
+  screen.refresh();
+  lv_refr_now(second);
+  lv_arcspan_view_set_scale(turning, ARCSPAN_LENGTH(0.5));
+  lv_arcspan_view_update(other);
+  screen.refresh();
+  const auto once = screen.pixels;
+  lv_refr_now(second);
+  lv_arcspan_view_update(other);
+  screen.refresh();
+  CHECK((screen.pixels == once));
+  lv_display_delete(second);
+  lv_arcspan_view_update(other);
+  screen.refresh();
+  CHECK((screen.pixels == once));
+}
+
 TEST_CASE("a hidden view does not turn the object that another one turns") {
   Screen screen;
   BallScene balls;

@@ -257,7 +257,6 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const;
 
  private:
-  /// An entry of the ramp stands for at most 1/256 of one light's diffuse part.
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
     return scalars[highlight_index(light)];
   }
@@ -380,8 +379,7 @@ class Illumination : private FadeFor<Features>,
     };
     return PackedRgb::of(level(0), level(1), level(2));
   }
-  /// True if the highlight of a light may reach N·L = 0, where it ends abruptly or fades, so that an error of
-  /// N·L shows more.
+  /// True if a light's highlight may reach N·L = 0, where it ends or fades, so that errors of N·L show more.
   [[nodiscard]] constexpr bool may_end(std::size_t light) const;
   /// The slope of c^n by c at a half distance, as a part of the slope at c = 1, 15 fraction bits.
   [[nodiscard]] constexpr std::uint32_t highlight_slope(std::int32_t half_distance) const;
@@ -408,9 +406,8 @@ class Illumination : private FadeFor<Features>,
   std::int32_t tolerance_ = 0;
   std::uint32_t light_height_ = 0;      ///< most_light()
   std::uint32_t highlight_height_ = 0;  ///< of all lights together, in 8-bit steps with 5 fraction bits
-  std::uint32_t sharpness_ = 0;  ///< the change of all highlights with s/12 (light_over()), in half steps
-  std::uint32_t allowed_light_ =
-      0;  ///< 12 times the error that planes may have, in 8-bit steps, 5 fraction bits
+  std::uint32_t sharpness_ = 0;      ///< the change of all highlights with s/12 (light_over()), in half steps
+  std::uint32_t allowed_light_ = 0;  ///< 12 times the error of planes, 8-bit steps, 5 fraction bits
   std::uint32_t allowed_highlight_ = 0;  ///< that of highlights
   std::int32_t shine_reach_ = 0;  ///< least half distance at which highlights are below half the tolerance
   std::uint32_t widest_diffuse_ = 0;    ///< squared chord of quadratic surfaces without highlight

@@ -65,8 +65,7 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::most_light() cons
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::set_limits() {
   const std::uint32_t more = static_cast<std::uint32_t>(tolerance_) << 5;
-  constexpr std::uint32_t kTurns =
-      Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N, by L and by V
+  constexpr std::uint32_t kTurns = Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N
   light_height_ = most_light();
   sharpness_ = (highlight_height_ * shininess_ * kTurns) >> 6;  // below 2^20
   allowed_light_ = 12 * (detail::kExactEnough + more);
@@ -207,7 +206,10 @@ ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surfa
     add_grey<0>(scalars, sum);
     const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(sum.diffuse)));
     if (sum.highlight == 0) return {ramp, {}};
-    return {ramp, highlights_.colour(clamped_unsigned<16, 0>(static_cast<std::int32_t>(sum.highlight)))};
+    if (sum.highlight < std::uint32_t{1} << 16) return {ramp, highlights_.colour(sum.highlight)};
+    const PackedRgb quarter = highlights_.colour(sum.highlight >> 2);  // each channel saturates by itself
+    const PackedRgb half = quarter.plus(quarter);
+    return {ramp, half.plus(half)};
   } else {
     ChannelLevels diffuse = ambient_;
     ChannelLevels specular{};

@@ -407,6 +407,33 @@ TEST_CASE("without highlight a normal has the colour of the sum of several grey 
   CHECK(partly > share_of(20000) / 2);
 }
 
+TEMPLATE_TEST_CASE_SIG("where highlights of grey lights coincide, each channel saturates by itself", "",
+                       ((std::size_t Lights, Highlight Model), Lights, Model), (2, Highlight::kPhong),
+                       (4, Highlight::kBlinn)) {
+  using Lit = Illumination<Lights, Model>;
+  Random random(32);
+  int saturated = 0;
+  for (int i = 0; i < share_of(5000); ++i) {
+    const Material material{{}, {}, random_channels(random), random.integer(1, 16)};
+    const Vec3 front = random_unit(random);
+    std::array<DirectionalLight, Lights> lights{};
+    for (DirectionalLight& light : lights) light.towards = to_direction(tilted(random, front, 0.2));
+    Lit lit;
+    REQUIRE(ok(Lit::make(material, lights, to_direction(front), lit)));
+    const auto scalars = lit.scalars(to_direction(tilted(random, front, random.real(0, 0.3))));
+    auto of_pixel = scalars;
+    for (std::size_t k = 0; k < scalars.size(); ++k) of_pixel[k] = lit.pixel_scalar(scalars[k], k);
+    const Rgb8 arc = lit.surface_colour(of_pixel).rgb8();
+    const Rgb8 exact = lit.colour(scalars).rgb8();  // as Flat has it
+    saturated += exact.r == 255 && exact.g < 255 ? 1 : 0;
+    CAPTURE(i, material.shininess);
+    REQUIRE(std::abs(arc.r - exact.r) <= 4);
+    REQUIRE(std::abs(arc.g - exact.g) <= 4);
+    REQUIRE(std::abs(arc.b - exact.b) <= 4);
+  }
+  CHECK(saturated > share_of(100));
+}
+
 TEST_CASE("lights and fades that an illumination cannot have are refused, and it stays as it was") {
   using Plain2 = Illumination<2, Highlight::kBlinn>;
   using Coloured2 = Coloured<2, Highlight::kBlinn>;

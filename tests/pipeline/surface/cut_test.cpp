@@ -82,6 +82,31 @@ TEST_CASE("triangles cut by two planes are shaded as Phong's, within the limits 
   check(measure_cuts(64, 8, 60, true), 40);
 }
 
+// What the guard band cuts reaches from beyond the picture to its other side.
+TEST_CASE("cut triangles as large as the guard band are within the limits") {
+  for (const std::int32_t shininess : {16, 64}) {
+    Measurement measurement;
+    Random random(static_cast<std::uint64_t>(shininess));
+    for (int i = 0; i < share_of(1500); ++i) {
+      SurfaceCase c = random_surface(random, {.smallest = 900, .slivers = 0});
+      c.shininess = shininess;
+      for (Point& point : c.points) point = {random.integer(-16300, 16300), random.integer(-16300, 16300)};
+      const auto row = static_cast<std::int32_t>(random.integer(0, 2040));
+      c.window = {0, row, 2048, row + 4};
+      std::array<Measurement::Vertex, 3> v = measurement.set_up(c);
+      const CutVertex top{v[0].shade, to_vec3(c.normals[0])};
+      const CutVertex far{v[1].shade, to_vec3(c.normals[1])};
+      const CutVertex end = cut(top, far, random_fraction(random));
+      v[1].shade = end.shade;
+      measurement.compare(c, v, {top.normal, end.normal, to_vec3(c.normals[2])});
+    }
+    INFO("highlight: " << measurement.errors.highlight_case);
+    CHECK(measurement.errors.missing == 0);
+    CHECK(measurement.errors.light <= 1);
+    CHECK(measurement.errors.highlight <= (shininess == 16 ? 13 : 40));
+  }
+}
+
 TEST_CASE("the middle of a chord does not depend on its direction") {
   Random random(1);
   const Factor half = Factor::of(0.5);

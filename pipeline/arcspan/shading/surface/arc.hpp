@@ -223,6 +223,7 @@ struct Arc {
     // Opposite normals have no direction half-way; 3.75, so that sums and slopes fit.
     constexpr std::uint32_t kMost = std::uint32_t{15} << 26;
     constexpr std::uint32_t kNarrow = std::uint32_t{15} << 24;  // 0.94, just below 60 degrees
+    constexpr std::uint32_t kLarge = std::uint32_t{256} << 16;  // slopes are small, but their errors add up
     const auto bend = [&](std::uint32_t chord) {
       return static_cast<std::int32_t>(chord < kMost ? chord : kMost);
     };
@@ -230,7 +231,7 @@ struct Arc {
     const CornerValues at{deficit(frame.top->shade), deficit(frame.middle->shade),
                           deficit(frame.bottom->shade)};
     const bool narrow = chords.widest() < kNarrow && (at.top | at.middle | at.bottom) == 0;
-    surface.slope_dropped = narrow ? 0 : 2;
+    surface.slope_dropped = narrow || frame.width >= kLarge ? 0 : 2;
     make_quadratic_scalar(frame, at,
                           {bend(chords.top_middle), bend(chords.top_bottom), bend(chords.middle_bottom)},
                           {2, surface.slope_dropped}, surface.missing);

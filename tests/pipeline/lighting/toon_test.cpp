@@ -72,6 +72,18 @@ TEST_CASE("Toon: the ramp has equal steps with narrow edges") {
   }
 }
 
+TEST_CASE("Toon: another number of steps takes the place of the first") {
+  auto once = lit<2>();
+  REQUIRE(ok(once.set_toon(5)));
+  auto twice = lit<2>();
+  REQUIRE(ok(twice.set_toon(2)));
+  REQUIRE(ok(twice.set_toon(5)));
+  for (std::size_t i = 0; i < once.ramp().size(); ++i) REQUIRE(twice.ramp()[i].lanes == once.ramp()[i].lanes);
+  for (std::int32_t at = 1; at < 1 << 25; at += 1 << 17) {
+    REQUIRE(twice.highlight_at(at).lanes == once.highlight_at(at).lanes);
+  }
+}
+
 TEST_CASE("Toon: other numbers of steps are refused") {
   auto light = lit<1>();
   const auto before = light.ramp();

@@ -88,7 +88,12 @@ class HighlightTable {
       return {white};
     return PackedRgb::of(channel(0, most) >> 6, channel(1, most) >> 6, channel(2, most) >> 6);
   }
-  /// Channel `c` of that colour, in the same unit.
+  /// The same of highlights that coincide, `most` up to four times 255: each channel saturates by itself.
+  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr PackedRgb colour_of_sum(std::uint32_t most) const {
+    const PackedRgb half = colour(most >> 2).plus(colour(most >> 2));
+    return half.plus(half);
+  }
+  /// Channel `c` of colour(), in the same unit.
   [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, std::uint32_t most) const {
     return (most * share_[c]) >> 15;
   }

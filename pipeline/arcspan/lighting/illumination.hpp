@@ -191,8 +191,7 @@ class Illumination : private FadeFor<Features>,
     return ramp_[ramp_index(normal_light)];
   }
 
-  /// The colours of diffuse_colour(), evenly spaced over scalars 0...1: 256 of one light, 512 of two, 1024 of
-  /// more.
+  /// The colours of diffuse_colour(), evenly spaced over 0...1: 256 of one light, 512 of two, else 1024.
   [[nodiscard]] constexpr const auto& ramp() const requires kHasRamp { return ramp_; }
   static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
   static constexpr std::size_t kRampSize = std::size_t{1} << kRampBits;
@@ -391,8 +390,7 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] constexpr std::uint32_t ramp_range() const;
   constexpr void make_ramp();
 
-  /// Entry i is ambient + diffuse * ramp_range() * (i + 1/2) / size; empty for coloured lights. The first
-  /// member, so that its address needs no offset.
+  /// Entry i is ambient + diffuse * ramp_range() * (i + 1/2) / size. First, so that it needs no offset.
   std::array<PackedRgb, kHasRamp ? kRampSize : 0> ramp_{};
   std::array<Direction, kScalars> axes_{};   ///< scalar i is the product of the normal and this
   std::array<std::uint32_t, 3> ambient_{};   ///< in 8-bit steps, 20 fraction bits

@@ -27,8 +27,7 @@ namespace detail {
 }
 
 /// Returns the squared chord at which a quadratic surface has the error `allowed`, from the squared chord
-/// `limit` at which it has the error `error`; both have 5 fraction bits. Errors grow with the cube of the
-/// angle.
+/// `limit` at which it has `error`; both have 5 fraction bits. Errors grow with the cube of the angle.
 [[nodiscard]] constexpr std::uint32_t limit_at_error(std::uint32_t limit, std::uint32_t error,
                                                      std::uint32_t allowed) {
   const std::uint32_t factor = two_thirds_power((allowed << 8) / (error == 0 ? 1 : error));
@@ -207,9 +206,7 @@ ARCSPAN_INLINE constexpr PixelLight Illumination<Lights, Model, Features>::surfa
     const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(sum.diffuse)));
     if (sum.highlight == 0) return {ramp, {}};
     if (sum.highlight < std::uint32_t{1} << 16) return {ramp, highlights_.colour(sum.highlight)};
-    const PackedRgb quarter = highlights_.colour(sum.highlight >> 2);  // each channel saturates by itself
-    const PackedRgb half = quarter.plus(quarter);
-    return {ramp, half.plus(half)};
+    return {ramp, highlights_.colour_of_sum(sum.highlight)};
   } else {
     ChannelLevels diffuse = ambient_;
     ChannelLevels specular{};

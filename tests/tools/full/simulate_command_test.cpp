@@ -152,6 +152,7 @@ TEST_CASE(
   CHECK(without("--fog 1,9") == "drawing: no figures of textures and effects on a Cortex-M3");
   CHECK(without("--no-depth").ends_with("; as with depth: less is taken without)"));
   CHECK(without("--toon 4") == "drawing: no figures of toon light on a Cortex-M3");
+  CHECK(without("--no-dither --highlight-fade 0.3").ends_with("; of highlights that end abruptly)"));
   // The estimate is one of pixels in rgb565.
   const std::string other = "; without dither and in rgb565: else a pixel takes up to 40 more)";
   CHECK(without("--no-dither").find(other) == std::string::npos);

@@ -202,6 +202,7 @@ std::string assumptions(const SimulateArguments& arguments, const Totals& totals
   std::string text;
   if (totals.grey) text += "; textures in grey light";
   if (totals.other_pixels) text += "; without dither and in rgb565: else a pixel takes up to 40 more";
+  if (arguments.options.scene.surface.highlight_fade != 0) text += "; of highlights that end abruptly";
   if (!arguments.options.scene.depth) text += "; as with depth: less is taken without";
   return text;
 }

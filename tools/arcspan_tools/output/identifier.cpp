@@ -32,8 +32,8 @@ constexpr std::array<std::string_view, 95> kTaken{
 
 // Names that compilers and the headers that a compiled model includes define as macros, and keywords of C
 // that C++ does not have.
-constexpr std::array<std::string_view, 8> kMacros{"EOF",   "NULL",     "errno",  "i386",
-                                                  "linux", "restrict", "typeof", "unix"};
+constexpr std::array<std::string_view, 7> kMacros{"EOF",      "NULL",   "i386", "linux",
+                                                  "restrict", "typeof", "unix"};
 
 /// Limits and makers of the standard integers, such as INT8_MAX and UINT64_C.
 bool is_integer_macro(std::string_view text) {
@@ -41,17 +41,6 @@ bool is_integer_macro(std::string_view text) {
                       text.starts_with("PTRDIFF_") || text.starts_with("WCHAR_") ||
                       text.starts_with("WINT_") || text.starts_with("SIG_ATOMIC_");
   return begins && (text.ends_with("_MAX") || text.ends_with("_MIN") || text.ends_with("_C"));
-}
-
-/// Types such as uint8_t and size_t.
-bool is_standard_type(std::string_view text) {
-  return text.ends_with("_t") && (text.starts_with("int") || text.starts_with("uint") || text == "size_t" ||
-                                  text == "ptrdiff_t" || text == "max_align_t");
-}
-
-/// What platform/c/arcspan.h names.
-bool is_of_library(std::string_view text) {
-  return text.starts_with("arcspan_") || text.starts_with("ARCSPAN_");
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -67,8 +56,7 @@ bool is_identifier(std::string_view text) {
   // Two underscores in a row are the compiler's.
   return text.find("__") == std::string_view::npos &&
          std::find(kTaken.begin(), kTaken.end(), text) == kTaken.end() &&
-         std::find(kMacros.begin(), kMacros.end(), text) == kMacros.end() && !is_integer_macro(text) &&
-         !is_standard_type(text) && !is_of_library(text);
+         std::find(kMacros.begin(), kMacros.end(), text) == kMacros.end() && !is_integer_macro(text);
 }
 
 std::string identifier(std::string_view text) {

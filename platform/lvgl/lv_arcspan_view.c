@@ -181,7 +181,8 @@ static void prepare(lv_arcspan_view_t* view) {
   measure_picture(view);
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
-  if (view->status == ARCSPAN_OK) view->status = view->is_turned ? view->turn_status : turn_object(view);
+  const bool is_turned = view->is_turned && view->turned_at == foreign_turns;
+  if (view->status == ARCSPAN_OK) view->status = is_turned ? view->turn_status : turn_object(view);
   if (view->status == ARCSPAN_OK) view->status = give_outlines(view);
   if (view->status == ARCSPAN_OK) view->status = arcspan_prepare(view->view);
   if (view->status == ARCSPAN_OK) {
@@ -196,6 +197,9 @@ static void prepare(lv_arcspan_view_t* view) {
  * own. */
 static void lay_out(lv_event_t* e) { lv_obj_update_layout(lv_event_get_user_data(e)); }
 
+/* Objects turned by views for the refresh of another display. */
+static uint32_t foreign_turns;
+
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
   const bool is_own = lv_event_get_current_target(e) == lv_obj_get_display(&view->obj);
@@ -203,7 +207,9 @@ static void before_refresh(lv_event_t* e) {
   /* A hidden view leaves the object to the visible one, as of another tab. */
   const bool turns = view->changed && view->scene != NULL && lv_obj_is_visible(&view->obj);
   if (turns) view->turn_status = turn_object(view);
+  if (turns && !is_own) ++foreign_turns;
   view->is_turned = turns && is_own;
+  view->turned_at = foreign_turns;
 }
 
 /* Of the display, before it finds out what to draw. */
@@ -349,7 +355,10 @@ static void on_drag(lv_arcspan_view_t* view) {
   lv_indev_t* const indev = lv_indev_active();
   if (indev == NULL) return;
 #if LV_USE_GESTURE_RECOGNITION
-  if (view->pinched) return; /* this is one of two fingers */
+  /* The point is that of either finger, until all are lifted. */
+  const lv_indev_gesture_t* const fingers = indev->recognizers[LV_INDEV_GESTURE_PINCH].info;
+  if (fingers != NULL && fingers->finger_cnt > 1) view->several_fingers = true;
+  if (view->several_fingers) return;
 #endif
   lv_point_t moved;
   lv_indev_get_vect(indev, &moved);
@@ -443,6 +452,9 @@ static void event(const lv_obj_class_t* class_p, lv_event_t* e) {
       break;
 #if LV_USE_GESTURE_RECOGNITION
     case LV_EVENT_PRESSED:
+    case LV_EVENT_PRESS_LOST:
+    case LV_EVENT_RELEASED:
+      view->several_fingers = false;
       view->pinched = false; /* the end of the last pinch may have been sent to none */
       break;
 #endif

@@ -32,6 +32,7 @@ typedef struct {
   bool changed;               /* since the last frame */
   bool is_refreshing;         /* the display is being refreshed */
   bool is_turned;             /* the object was turned before this refresh */
+  uint32_t turned_at;         /* is_turned: the turns by views of other displays until then */
   lv_area_t shown;            /* by the frame on the screen, from the widget's corner on; empty if x1 > x2 */
   lv_area_t inset;    /* of the picture of the last frame from the sides of the widget, as positive numbers */
   arcspan_rect drawn; /* by the last frame, in the picture; empty if it is not shown */
@@ -44,6 +45,7 @@ typedef struct {
   uint8_t more; /* pixels of a layer around what it shows in the last frame; 0 without outlines */
 #endif
 #if LV_USE_GESTURE_RECOGNITION
+  bool several_fingers;       /* since the first of them was put down, there were more than one */
   bool pinched;               /* a pinch is under way */
   arcspan_length pinch_scale; /* the scale at its beginning */
 #endif

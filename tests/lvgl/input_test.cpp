@@ -129,6 +129,7 @@ TEST_CASE("a drag over a view that is turned and scaled moves the object as the 
 /// A touch panel with two fingers, `distance` pixels apart, or none if that is 0.
 struct Fingers {
   std::int32_t distance = 0;
+  bool first_is_lifted = false;
   lv_indev_t* device = lv_indev_create();
 
   Fingers() {
@@ -144,7 +145,8 @@ struct Fingers {
         touches[i].state = state;
         touches[i].id = static_cast<std::uint8_t>(i);
       }
-      data->point = touches[0].point;
+      if (fingers.first_is_lifted) touches[0].state = LV_INDEV_STATE_RELEASED;
+      data->point = touches[fingers.first_is_lifted ? 1 : 0].point;
       lv_indev_gesture_recognizers_update(indev, touches, 2);
       lv_indev_gesture_recognizers_set_data(indev, data);
     });
@@ -161,14 +163,18 @@ TEST_CASE("a pinch scales the object from its scale on, and does not turn it") {
   lv_obj_t* const view = make_view(display.balls);
   Fingers fingers;
   lv_test_wait(50);
-  fingers.hold(20);
-  fingers.hold(40);
   const arcspan_quaternion before = lv_arcspan_view_get_rotation(view);
-  CHECK(lv_arcspan_view_get_scale(view) == ARCSPAN_LENGTH(2));
-  fingers.hold(60);
+  for (std::int32_t distance = 20; distance <= 60; distance += 2) fingers.hold(distance);
   CHECK(lv_arcspan_view_get_scale(view) == ARCSPAN_LENGTH(3));
   CHECK(lv_arcspan_view_get_rotation(view).y == before.y);
   SECTION("whose end it was told") { fingers.hold(0); }
+  SECTION("whose first finger is lifted first") {
+    fingers.first_is_lifted = true;
+    fingers.hold(60);
+    CHECK(lv_arcspan_view_get_rotation(view).y == before.y);
+    fingers.hold(0);
+    fingers.first_is_lifted = false;
+  }
   SECTION("whose end it was not told") {
     lv_indev_wait_release(fingers.device);
     fingers.hold(0);

@@ -491,6 +491,18 @@ TEST_CASE(
   lv_arcspan_view_update(other);
   screen.refresh();
   CHECK((screen.pixels == once));
+  // Where both turn it, each shows it as it turns it itself.
+  lv_arcspan_view_set_turned(other, balls.object);
+  lv_arcspan_view_set_scale(other, ARCSPAN_LENGTH(0.75));
+  screen.refresh();
+  const auto own_scale = screen.pixels;
+  lv_arcspan_view_set_scale(turning, ARCSPAN_LENGTH(0.25));
+  lv_arcspan_view_update(other);
+  screen.refresh();
+  CHECK((screen.pixels == own_scale));
+  lv_arcspan_view_set_turned(other, LV_ARCSPAN_NO_OBJECT);
+  lv_arcspan_view_set_scale(turning, ARCSPAN_LENGTH(0.5));
+  lv_refr_now(second);
   lv_display_delete(second);
   lv_arcspan_view_update(other);
   screen.refresh();

@@ -90,8 +90,11 @@ class HighlightTable {
   }
   /// The same of highlights that coincide, `most` up to four times 255: each channel saturates by itself.
   [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr PackedRgb colour_of_sum(std::uint32_t most) const {
-    const PackedRgb half = colour(most >> 2).plus(colour(most >> 2));
-    return half.plus(half);
+    const auto level = [&](std::size_t c) {
+      const std::uint32_t quarters = channel(c, most >> 2) >> 4;
+      return quarters < 1024 ? quarters : 1023u;
+    };
+    return PackedRgb::of(level(0), level(1), level(2));
   }
   /// Channel `c` of colour(), in the same unit.
   [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, std::uint32_t most) const {

@@ -35,8 +35,10 @@ template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr Status Illumination<Lights, Model, Features>::set_toon(std::int32_t steps) requires(
     Lights == 1 || !Features.coloured_lights) {
   if (steps < 2 || steps > kMostToonSteps) return Status::kInvalidArgument;
-  make_ramp();  // an earlier call has changed both
-  highlights_ = HighlightTable(power_, specular_);
+  if (power_.half_reach() != 0) {  // make() was called
+    make_ramp();                   // an earlier call has changed both
+    highlights_ = HighlightTable(power_, specular_);
+  }
   const auto count = static_cast<std::size_t>(steps);
   std::array<Rgb8, kMostToonSteps> colours;
   for (std::size_t k = 0; k < count; ++k) colours[k] = ramp_[k * (kRampSize - 1) / (count - 1)].rgb8();

@@ -72,6 +72,12 @@ TEST_CASE("Toon: the ramp has equal steps with narrow edges") {
   }
 }
 
+TEST_CASE("Toon: an illumination that was never made stays black") {
+  Illumination<1, Highlight::kBlinn> dark;
+  REQUIRE(ok(dark.set_toon(3)));
+  CHECK(dark.ramp().back().lanes == dark.ramp().front().lanes);
+}
+
 TEST_CASE("Toon: another number of steps takes the place of the first") {
   auto once = lit<2>();
   REQUIRE(ok(once.set_toon(5)));

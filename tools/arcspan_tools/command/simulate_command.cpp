@@ -110,7 +110,7 @@ class GlassOutput {
 std::string without_figures(const std::string& shading, const RenderJob& job) {
   if (has_surfaces(job)) return "textures and effects";
   if (job.lights.size() != 1) return "several lights";
-  return job.toon_steps != 0 ? "toon light" : shading + " shading";
+  return job.toon_steps != 0 && shading == "arc" ? "toon light" : shading + " shading";
 }
 
 bool has_textures(const RenderJob& job) {

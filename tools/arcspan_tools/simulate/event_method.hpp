@@ -19,8 +19,8 @@ namespace arcspan::tools {
 struct EventTarget {
   DrawEvents events{};
   DrawEvents::Path* path = nullptr;   ///< of the current triangle
-  bool tints = false;                 ///< highlights have a colour, or are black
   DrawEvents::Path* light = nullptr;  ///< the same, but for a texture in perspective
+  bool tints = false;                 ///< highlights have a colour, or are black
 
   static inline EventTarget* current = nullptr;
 };

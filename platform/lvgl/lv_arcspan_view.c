@@ -123,6 +123,9 @@ static arcspan_status set_camera(lv_arcspan_view_t* view) {
   return arcspan_set_camera(view->view, &lens, camera->eye, camera->target, camera->up);
 }
 
+/* Objects turned by views for the refresh of another display. */
+static uint32_t foreign_turns;
+
 static arcspan_status turn_object(lv_arcspan_view_t* view) {
   if (view->turned == LV_ARCSPAN_NO_OBJECT) return ARCSPAN_OK;
   const arcspan_status status = arcspan_set_quaternion(view->scene, view->turned, view->rotation);
@@ -196,9 +199,6 @@ static void prepare(lv_arcspan_view_t* view) {
  * show the object that this view turns. Events of a layout may delete the view, so it has a callback of its
  * own. */
 static void lay_out(lv_event_t* e) { lv_obj_update_layout(lv_event_get_user_data(e)); }
-
-/* Objects turned by views for the refresh of another display. */
-static uint32_t foreign_turns;
 
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);

@@ -35,9 +35,8 @@ class HighlightTable {
     // The factor is 2^25 / half_reach, but below 1: for exponents up to 104 the reach is all of the table.
     // Otherwise it ends with an interval, so that the line there meets the peak.
     const std::uint32_t intervals = half_reach >> kIntervalBits;
-    const std::uint64_t most_reach = std::uint64_t{intervals < kIntervals ? intervals : kIntervals}
-                                     << kIntervalBits;
-    const std::uint64_t factor = (most_reach << 31) / half_reach;
+    const std::uint64_t used = intervals < kIntervals ? intervals : kIntervals;
+    const std::uint64_t factor = (used << (kIntervalBits + 31)) / half_reach;
     constexpr std::uint64_t kMostFactor = (std::uint64_t{1} << 31) - 1;
     factor_ = static_cast<std::int32_t>(factor < kMostFactor ? factor : kMostFactor);
     reach_ = scaled(Cosine::from_raw(power.half_reach())).raw();
@@ -57,8 +56,7 @@ class HighlightTable {
       here = next;
     }
     for (std::size_t c = 0; c < 3; ++c) share_[c] = most == 0 ? 0 : (specular[c] << 15) / most;
-    const bool is_white = specular[0] == specular[1] && specular[1] == specular[2];
-    white_ = is_white ? PackedRgb::grey(1).lanes : 0;
+    white_ = specular[0] == specular[1] && specular[1] == specular[2] ? PackedRgb::grey(1).lanes : 0;
   }
 
   /// From half its brightness on, the highlight gets all of it, and below it none (toon.hpp).
@@ -91,8 +89,7 @@ class HighlightTable {
   /// The same of highlights that coincide, `most` up to four times 255: each channel saturates by itself.
   [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr PackedRgb colour_of_sum(std::uint32_t most) const {
     const auto level = [&](std::size_t c) {
-      const std::uint32_t quarters = channel(c, most >> 2) >> 4;
-      return quarters < 1024 ? quarters : 1023u;
+      return clamped_unsigned<10, 4>(static_cast<std::int32_t>(channel(c, most >> 2)));
     };
     return PackedRgb::of(level(0), level(1), level(2));
   }

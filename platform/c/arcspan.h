@@ -316,10 +316,11 @@ typedef uint8_t arcspan_format;
 #define ARCSPAN_GRAY4 7 /* two pixels per byte, the left one in the upper bits */
 #define ARCSPAN_MONO 8  /* eight pixels per byte, the leftmost in the highest bit */
 
-/* A rectangle of the picture in memory. */
+/* A rectangle of the picture in memory. Where pixels share a byte, columns lie in it as in a row that begins
+ * with column 0. */
 typedef struct {
-  void* pixels; /* its upper left one, or the byte that holds it; columns lie in bytes as from column 0 on */
-  size_t bytes; /* of memory from there on */
+  void* pixels;   /* its upper left one, or the byte that holds it */
+  size_t bytes;   /* of memory from there on */
   int32_t stride; /* bytes from row to row */
   arcspan_format format;
   arcspan_rect held; /* the rectangle, within 0...32767 */

@@ -123,7 +123,7 @@ static arcspan_status set_camera(lv_arcspan_view_t* view) {
   return arcspan_set_camera(view->view, &lens, camera->eye, camera->target, camera->up);
 }
 
-/* Objects turned by views for the refresh of another display. */
+/* How often a view turned its object for the refresh of another display. */
 static uint32_t foreign_turns;
 
 static arcspan_status turn_object(lv_arcspan_view_t* view) {
@@ -195,15 +195,15 @@ static void prepare(lv_arcspan_view_t* view) {
   lv_arcspan_view_drop(view, view->status);
 }
 
-/* Events of the display before any view prepares its frame: layouts may change sizes, and another view may
- * show the object that this view turns. Events of a layout may delete the view, so it has a callback of its
- * own. */
+/* Before any view prepares its frame: layouts of the view's display may change sizes, and views of any
+ * display may show the object that it turns. Events of a layout may delete the view, so lay_out() does
+ * nothing else. */
 static void lay_out(lv_event_t* e) { lv_obj_update_layout(lv_event_get_user_data(e)); }
 
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
   const bool is_own = lv_event_get_current_target(e) == lv_obj_get_display(&view->obj);
-  if (!is_own && view->is_refreshing) return;
+  if (!is_own && view->is_refreshing) return; /* its frame is being drawn */
   /* A hidden view leaves the object to the visible one, as of another tab. */
   const bool turns = view->changed && view->scene != NULL && lv_obj_is_visible(&view->obj);
   if (turns) view->turn_status = turn_object(view);
@@ -355,7 +355,7 @@ static void on_drag(lv_arcspan_view_t* view) {
   lv_indev_t* const indev = lv_indev_active();
   if (indev == NULL) return;
 #if LV_USE_GESTURE_RECOGNITION
-  /* The point is that of either finger, until all are lifted. */
+  /* Until all fingers are lifted, the point may be that of any of them. */
   const lv_indev_gesture_t* const fingers = indev->recognizers[LV_INDEV_GESTURE_PINCH].info;
   if (fingers != NULL && fingers->finger_cnt > 1) view->several_fingers = true;
   if (view->several_fingers) return;
@@ -364,7 +364,7 @@ static void on_drag(lv_arcspan_view_t* view) {
   lv_indev_get_vect(indev, &moved);
   lv_point_t at;
   lv_indev_get_point(indev, &at);
-  /* Points, not the vector, so that what is rounded does not add up. */
+  /* Both points, not their difference, so that rounding errors do not add up. */
   lv_point_t points[] = {{at.x - moved.x, at.y - moved.y}, at};
   lv_obj_transform_point_array(&view->obj, points, 2, LV_OBJ_POINT_TRANSFORM_FLAG_INVERSE_RECURSIVE);
   turn_by_user(view, points[1].x - points[0].x, points[1].y - points[0].y);

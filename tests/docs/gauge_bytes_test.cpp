@@ -27,7 +27,7 @@ struct Simulated {
   Pages pages{panel, band_memory, wire_memory, kRows};
 };
 
-/// What `show`, after a frame and a first call, sends for each step of the needle.
+/// Calls `show` for each step of the needle, and returns what it sends. The first call does not count.
 template <class Show>
 Share sent_by(Simulated& gauge, const Show& show) {
   constexpr double kFrame = 2.0 * kWidth * kHeight;

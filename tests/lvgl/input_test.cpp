@@ -36,6 +36,17 @@ bool is_picture(const char* name) {
 
 void count_event(lv_event_t* e) { ++*static_cast<int*>(lv_event_get_user_data(e)); }
 
+/// A drag of the mouse by (dx, dy) pixels, from row 50 of column `x`.
+void drag(std::int32_t x, std::int32_t dx, std::int32_t dy) {
+  lv_test_mouse_move_to(x, 50);
+  lv_test_mouse_press();
+  lv_test_wait(50);
+  lv_test_mouse_move_by(dx, dy);
+  lv_test_wait(50);
+  lv_test_mouse_release();
+  lv_test_wait(50);
+}
+
 TEST_CASE("a drag turns the object that was named, and says so") {
   TestDisplay display;
   lv_obj_t* const view = make_view(display.balls);
@@ -43,26 +54,14 @@ TEST_CASE("a drag turns the object that was named, and says so") {
   lv_obj_add_event_cb(view, count_event, LV_EVENT_VALUE_CHANGED, &changes);
   lv_test_wait(50);
   const arcspan_quaternion before = lv_arcspan_view_get_rotation(view);
-  lv_test_mouse_move_to(60, 50);
-  lv_test_mouse_press();
-  lv_test_wait(50);
-  lv_test_mouse_move_by(12, 0);
-  lv_test_wait(50);
-  lv_test_mouse_release();
-  lv_test_wait(50);
+  drag(60, 12, 0);
   const arcspan_quaternion after = lv_arcspan_view_get_rotation(view);
   CHECK(changes == 1);
   CHECK(before.y == 0);
   CHECK(after.y > 0);
   CHECK(after.x == 0);
   lv_arcspan_view_set_turned(view, LV_ARCSPAN_NO_OBJECT);
-  lv_test_mouse_move_to(60, 50);
-  lv_test_mouse_press();
-  lv_test_wait(50);
-  lv_test_mouse_move_by(0, 12);
-  lv_test_wait(50);
-  lv_test_mouse_release();
-  lv_test_wait(50);
+  drag(60, 0, 12);
   CHECK(lv_arcspan_view_get_rotation(view).x == 0);
 }
 
@@ -84,16 +83,10 @@ TEST_CASE("arrow keys and an encoder turn the object") {
   CHECK(lv_arcspan_view_get_rotation(view).y > once);
 }
 
-/// A drag of the mouse from the middle of the view by 12 pixels to the right. Returns the rotation after it.
+/// A drag from the middle of the view. Returns the rotation after it.
 arcspan_quaternion rotation_after_drag(lv_obj_t* view) {
   lv_test_wait(50);
-  lv_test_mouse_move_to(70, 50);
-  lv_test_mouse_press();
-  lv_test_wait(50);
-  lv_test_mouse_move_by(12, 0);
-  lv_test_wait(50);
-  lv_test_mouse_release();
-  lv_test_wait(50);
+  drag(70, 12, 0);
   return lv_arcspan_view_get_rotation(view);
 }
 
@@ -167,15 +160,15 @@ TEST_CASE("a pinch scales the object from its scale on, and does not turn it") {
   for (std::int32_t distance = 20; distance <= 60; distance += 2) fingers.hold(distance);
   CHECK(lv_arcspan_view_get_scale(view) == ARCSPAN_LENGTH(3));
   CHECK(lv_arcspan_view_get_rotation(view).y == before.y);
-  SECTION("whose end it was told") { fingers.hold(0); }
-  SECTION("whose first finger is lifted first") {
+  SECTION("the end of the first pinch is sent to the view") { fingers.hold(0); }
+  SECTION("one finger is lifted before the other") {
     fingers.first_is_lifted = true;
     fingers.hold(60);
     CHECK(lv_arcspan_view_get_rotation(view).y == before.y);
     fingers.hold(0);
     fingers.first_is_lifted = false;
   }
-  SECTION("whose end it was not told") {
+  SECTION("the end of the first pinch is sent to no widget") {
     lv_indev_wait_release(fingers.device);
     fingers.hold(0);
   }

@@ -86,7 +86,7 @@ class HighlightTable {
       return {white};
     return PackedRgb::of(channel(0, most) >> 6, channel(1, most) >> 6, channel(2, most) >> 6);
   }
-  /// The same of highlights that coincide, `most` up to four times 255: each channel saturates by itself.
+  /// colour() of several highlights' sum, `most` is up to 4 * 255; each channel is clamped on its own.
   [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr PackedRgb colour_of_sum(std::uint32_t most) const {
     const auto level = [&](std::size_t c) {
       return clamped_unsigned<10, 4>(static_cast<std::int32_t>(channel(c, most >> 2)));

@@ -65,7 +65,7 @@ void neighbours_of_another_mesh();
 }  // namespace detail
 
 /// A view of the neighbours of a mesh's triangles in memory of the caller, usually flash, which must outlive
-/// it: 2.5 to 2.6 bytes per triangle, written by `arcspan mesh --outlines`. OutlineList needs it.
+/// it: 2.5 to 2.7 bytes per triangle, written by `arcspan mesh --outlines`. OutlineList needs it.
 ///
 /// For each triangle in the order of the mesh there is a byte with the EdgeKind of its edges ab (bits 0, 1),
 /// bc (2, 3) and ca (4, 5), then for each edge of them that is kLater or kCrease the number of the triangle

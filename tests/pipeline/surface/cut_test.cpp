@@ -82,7 +82,7 @@ TEST_CASE("triangles cut by two planes are shaded as Phong's, within the limits 
   check(measure_cuts(64, 8, 60, true), 40);
 }
 
-// What the guard band cuts reaches from beyond the picture to its other side.
+// A triangle that the guard band cuts may be as large as the band: 2,040 pixels.
 TEST_CASE("cut triangles as large as the guard band are within the limits") {
   for (const std::int32_t shininess : {16, 64}) {
     Measurement measurement;

@@ -150,11 +150,11 @@ TEST_CASE(
   CHECK(without("--shading phong") == "drawing: no figures of phong shading on a Cortex-M3");
   CHECK(without("--light 1,0,0 --light 0,1,0") == "drawing: no figures of several lights on a Cortex-M3");
   CHECK(without("--fog 1,9") == "drawing: no figures of textures and effects on a Cortex-M3");
-  CHECK(without("--no-depth").ends_with("; as with depth: less is taken without)"));
+  CHECK(without("--no-depth").ends_with("; with a depth buffer: without one it takes less)"));
   CHECK(without("--toon 4") == "drawing: no figures of toon light on a Cortex-M3");
-  CHECK(without("--no-dither --highlight-fade 0.3").ends_with("; of highlights that end abruptly)"));
+  CHECK(without("--no-dither --highlight-fade 0.3").ends_with("; without the fade of highlights)"));
   // The estimate is one of pixels in rgb565.
-  const std::string other = "; without dither and in rgb565: else a pixel takes up to 40 more)";
+  const std::string other = "; for rgb565 without dither: other pixels take up to 40 instructions more each)";
   CHECK(without("--no-dither").find(other) == std::string::npos);
   CHECK(without("--no-dither --panel ssd1306").ends_with(other));
   CHECK(without("").ends_with(other));

@@ -274,7 +274,7 @@ TEST_CASE("mesh: textures in both forms, in any format, and left out") {
         "arcspan: " + lamp + ": has no texture coordinates for --texture\n");
 }
 
-TEST_CASE("mesh: textures get the alpha that materials use, and gray, which has none, is told") {
+TEST_CASE("mesh: a masked texture keeps its alpha in pal8, and gray loses it with a warning") {
   const TemporaryFolder folder;
   std::string picture("\0\0\2\0\0\0\0\0\0\0\0\0\10\0\10\0\40\10", 18);  // TGA of 8x8 pixels with alpha
   for (int i = 0; i < 64; ++i) picture += i < 32 ? std::string("\1\2\3\0", 4) : "\1\2\3\377";

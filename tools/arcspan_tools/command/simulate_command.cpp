@@ -53,7 +53,7 @@ struct Totals {
   hal::sim::BusCount bus;
   std::string without_figures;    ///< empty: all was estimated
   std::string other_methods;      ///< by_other_methods() of the first frame
-  bool other_pixels = false;      ///< they are not stored as estimated: rgb565 without dither
+  bool other_pixels = false;      ///< shown in another format than rgb565, or with dither
   bool grey = false;              ///< textures are estimated as drawn by GreyGouraud
   std::string outlines;           ///< RenderOptions::outline_text()
   std::size_t outline_bytes = 0;  ///< the most of a frame; 0 without smoothing and ink
@@ -197,13 +197,14 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   return totals;
 }
 
-/// What else the estimate assumes, for the end of its line.
+/// How the drawing that is estimated differs from the one that is shown, as text that follows the figures.
 std::string assumptions(const SimulateArguments& arguments, const Totals& totals) {
   std::string text;
   if (totals.grey) text += "; textures in grey light";
-  if (totals.other_pixels) text += "; without dither and in rgb565: else a pixel takes up to 40 more";
-  if (arguments.options.scene.surface.highlight_fade != 0) text += "; of highlights that end abruptly";
-  if (!arguments.options.scene.depth) text += "; as with depth: less is taken without";
+  if (totals.other_pixels)
+    text += "; for rgb565 without dither: other pixels take up to 40 instructions more each";
+  if (arguments.options.scene.surface.highlight_fade != 0) text += "; without the fade of highlights";
+  if (!arguments.options.scene.depth) text += "; with a depth buffer: without one it takes less";
   return text;
 }
 

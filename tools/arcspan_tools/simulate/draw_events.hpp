@@ -63,7 +63,7 @@ struct DrawEvents {
   double pieces = 0;      ///< of rows that are linear in a texture in perspective
   double new_levels = 0;  ///< pieces that change the mip level
   double shiny = 0;       ///< pixels written with a highlight
-  double tinted = 0;  ///< pixels of Arc with a highlight that is not white, or could be if it were not black
+  double tinted = 0;      ///< pixels of Arc within the reach of a highlight that is coloured or black
   std::array<Path, kPaths> small{};
   std::array<Path, kPaths> large{};
   std::array<Path, kPaths> perspective{};  ///< the pixels of large triangles in perspective, and nothing else

@@ -39,13 +39,13 @@ class SmallCoordinate {
       return wrap_add(wrap_mul(to_middle_, b), wrap_mul(to_bottom_, c));
     }
   }
-  /// The change where b and c change by these, 18 fraction bits of a repetition, which does not wrap.
+  /// change() in repetitions with 18 fraction bits, which saturates instead of wrapping.
   [[nodiscard]] constexpr std::int32_t wide_change(std::int32_t b, std::int32_t c) const {
     const std::int64_t sum = (std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c) >> kDropped;
     constexpr std::int32_t kMost = INT32_MAX;
     return static_cast<std::int32_t>(sum > kMost ? kMost : sum < -kMost ? -kMost : sum);
   }
-  static constexpr int kDropped = 14;  ///< bits that wide_change() has less than a word
+  static constexpr int kDropped = 14;  ///< fraction bits that change() has and wide_change() has not
 
  private:
   std::uint32_t at_;        ///< at the top vertex
@@ -100,8 +100,7 @@ struct SmallTexture : TextureLevel {
   }
 
  private:
-  /// level_for() where u or v change by half a repetition or more in the triangle, so that their steps may
-  /// wrap.
+  /// level_for() by steps that do not wrap, for u or v that range over half a repetition or more.
   [[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned wide_level(const TextureSize& size, std::int32_t log_area,
                                                               const SmallTriangle& triangle) const {
     constexpr int kDropped = SmallCoordinate<Steps>::kDropped;

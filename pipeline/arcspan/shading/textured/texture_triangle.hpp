@@ -32,9 +32,9 @@ struct TextureWords {
 /// Fractions of a repetition in 32 bits wrap. With BorderSteps they are fractions of 2^spare_bits
 /// repetitions, signed, so that they do not, and the shifts are signed.
 struct TextureTriangle : TextureLevel {
-  TextureGrid grid;  ///< set if `piece` is 0; otherwise the planes are
-  /// (u - u_origin)/w and (v - v_origin)/w, in units in which 1 is the triangle's range of u and of v, or up
-  /// to twice that, and at least 1/16 of a repetition.
+  TextureGrid grid;  ///< set if `piece` is 0; otherwise u, v and q are
+  /// (u - u_origin)/w and (v - v_origin)/w, each in a unit of its own: one to two times its range in the
+  /// triangle, at least 1/16 of a repetition.
   LinearPlane u;
   LinearPlane v;
   LinearPlane q;           ///< 1/w, relative to the nearest vertex
@@ -47,7 +47,7 @@ struct TextureTriangle : TextureLevel {
   std::uint8_t piece;      ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
   bool middle_left;
   TextureSize size;
-  std::int32_t log_area;     ///< in perspective area_at(), otherwise log_area_of(); with mip levels only
+  std::int32_t log_area;  ///< in perspective what area_at() takes, otherwise log_area_of(); with levels only
   std::uint32_t half_texel;  ///< half_texel_of()
 
   /// Half a texel of the level of this number, with TextureFilter::kBilinear; otherwise 0.
@@ -84,8 +84,8 @@ struct TextureTriangle : TextureLevel {
 
 namespace detail {
 
-/// By how many bits u and v are shifted, each so that its own range fits 16 bits: of a range that is much
-/// smaller than the other one, few bits would be left beside that.
+/// Shifts to the left (to the right if negative) by which the ranges of u and v fit 16 bits. Each has its
+/// own, because a common one would leave few bits to the smaller range.
 struct TextureShifts {
   int u;
   int v;
@@ -95,8 +95,7 @@ struct TextureShifts {
 
  private:
   [[nodiscard]] static constexpr int shift_of(std::uint32_t range) {
-    const int fits = std::countl_zero(range | 0xFFFu) - 16;
-    return fits < 4 ? fits : 4;
+    return std::countl_zero(range | 0xFFFu) - 16;
   }
 };
 

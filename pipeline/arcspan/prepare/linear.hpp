@@ -12,8 +12,8 @@
 /// Attributes that are linear on the screen: their gradients, along an edge and along a row.
 namespace arcspan {
 
-/// Raw value of the largest gradient, 2^16 per pixel or row. A steeper one only occurs in triangles narrower
-/// than a pixel, whose spans have one pixel and do not step. For FullLinear it is 1 less, which fits 32 bits.
+/// Raw value of the largest gradient, 2^16 per unit or row. A steeper one only occurs in edges lower than a
+/// row, which do not step. For FullLinear it is 1 less, which fits 32 bits.
 template <class Value>
 inline constexpr std::int32_t kMaxGradient =
     static_cast<std::int32_t>((std::int64_t{1} << (16 + Value::kFraction)) - (Value::kFraction < 15 ? 0 : 1));
@@ -62,7 +62,7 @@ template <class Value>
 struct BasicLinearPlane {
   BasicLinearEdge<Value> left;
   BasicLinearEdge<Value> lower;
-  Value dx;  ///< per pixel
+  Value dx;  ///< per SlopeUnit
 
   ARCSPAN_INLINE constexpr void next_row() { left.at += left.step; }
   constexpr void enter_lower(bool middle_left) {
@@ -92,8 +92,8 @@ template <class Value>
   }
 }
 
-/// Returns the gradient per column of a 16-bit attribute from its values at the top, middle and bottom vertex
-/// of a TriangleFrame.
+/// Returns the gradient per SlopeUnit of a 16-bit attribute from its values at the top, middle and bottom
+/// vertex of a TriangleFrame.
 template <class Value, class Frame>
 [[nodiscard]] ARCSPAN_INLINE constexpr Value gradient_across(const Frame& frame, std::int32_t top,
                                                              std::int32_t middle, std::int32_t bottom) {
@@ -101,7 +101,7 @@ template <class Value, class Frame>
   const std::int32_t fraction = frame.middle_fraction.raw() >> (Factor::kFraction - kBits);
   const std::int32_t along = round_shift(wrap_mul(bottom - top, fraction), kBits);
   const std::int32_t across = middle - (top + along);
-  return gradient<Value>(frame.middle_left ? -across : across, frame.inverse_width, 16);
+  return gradient<Value>(frame.middle_left ? -across : across, frame.inverse_unit, 16);
 }
 
 /// Sets up an attribute along an edge: `from` at its top, `to` at its bottom, 16 bits each.
@@ -118,7 +118,7 @@ ARCSPAN_INLINE constexpr void make_linear_edge(const EdgeSetup& edge, std::int32
 /// starting a row later does not change its pixels.
 [[nodiscard]] ARCSPAN_INLINE constexpr Linear linear_at(const LinearPlane& plane, const RowStart& start) {
   const Linear first =
-      Linear::from_raw(plus_scaled_down(plane.left.at.raw(), plane.dx.raw(), start.fraction));
+      Linear::from_raw(plus_scaled_down(plane.left.at.raw(), plane.dx.raw(), start.distance));
   if (start.skipped == 0) [[likely]] {
     return first;
   }
@@ -129,7 +129,7 @@ ARCSPAN_INLINE constexpr void make_linear_edge(const EdgeSetup& edge, std::int32
 /// below 2; Gouraud's colours have 256 per 8-bit step.
 [[nodiscard]] ARCSPAN_INLINE constexpr FullLinear linear_at(const FullLinearPlane& plane,
                                                             const RowStart& start) {
-  const std::int32_t inside = wrap_mul(plane.dx.raw() >> 16, static_cast<std::int32_t>(start.fraction));
+  const std::int32_t inside = wrap_mul(plane.dx.raw() >> 16, static_cast<std::int32_t>(start.distance));
   const std::int32_t skipped = wrap_mul(plane.dx.raw(), start.skipped);
   return plane.left.at + FullLinear::from_raw(wrap_add(inside, skipped));
 }

@@ -18,15 +18,14 @@ class PrecisePlanes {
  public:
   constexpr explicit PrecisePlanes(const Frame& frame)
       : frame_(frame),
-        inverse_width_(wide_reciprocal(frame.width)),
+        inverse_unit_(wide_reciprocal(frame.width < kPixel ? kPixel : frame.width)),
         inverse_long_(wide_reciprocal(static_cast<std::uint32_t>(frame.long_edge.dy))),
         middle_fraction_(fraction(frame.middle->position.y - frame.top->position.y, inverse_long_)) {}
 
-  /// Sets up the plane through raw values of Linear, below 2^28. Where the triangle is narrower than a pixel,
-  /// they must be so much smaller that a gradient is below 2^28.
+  /// Sets up the plane through raw values of Linear, below 2^28.
   constexpr void make(std::int32_t top, std::int32_t middle, std::int32_t bottom, LinearPlane& plane) const {
     const std::int32_t across = middle - (top + part(bottom - top, middle_fraction_));
-    plane.dx = Linear::from_raw(quotient(frame_.middle_left ? -across : across, inverse_width_, 16));
+    plane.dx = Linear::from_raw(quotient(frame_.middle_left ? -across : across, inverse_unit_, 16));
     plane.left = {};
     plane.lower = {};
     if (!frame_.middle_left) {
@@ -40,6 +39,8 @@ class PrecisePlanes {
   }
 
  private:
+  static constexpr std::uint32_t kPixel = std::uint32_t{1} << 16;
+
   [[nodiscard]] static constexpr WideReciprocal inverse_of(const EdgeSetup& edge) {
     return wide_reciprocal(static_cast<std::uint32_t>(edge.dy));
   }
@@ -68,7 +69,7 @@ class PrecisePlanes {
   }
 
   const Frame& frame_;
-  WideReciprocal inverse_width_;
+  WideReciprocal inverse_unit_;
   WideReciprocal inverse_long_;
   std::int32_t middle_fraction_;  ///< 30 fraction bits
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/reciprocal.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/target.hpp>
 
@@ -8,12 +9,44 @@
 
 namespace arcspan {
 
+/// The unit of slopes along rows: a pixel, or the width of a sliver, a triangle narrower than that, whose
+/// rows have one pixel at most and do not step. So slopes are bounded, and slivers as exact as other
+/// triangles.
+struct SlopeUnit {
+  bool is_sliver;
+  Reciprocal inverse;  ///< of the width, 16 fraction bits
+
+  constexpr void set(std::uint32_t width, const Reciprocal& inverse_width) {
+    is_sliver = width < std::uint32_t{1} << 16;
+    inverse = inverse_width;
+  }
+  [[nodiscard]] constexpr Reciprocal inverse_unit() const {
+    return is_sliver ? Reciprocal{std::uint32_t{1} << 16, 32} : inverse;
+  }
+  /// Returns the distance from an edge to the centre of its column in this unit: 16 fraction bits, below 1.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t distance(const EdgeWalk& left) const {
+    if (is_sliver) [[unlikely]]
+      return over_width(left.fine_fraction());
+    return left.fraction();
+  }
+
+ private:
+  /// `fine`: the distance in pixels, 32 fraction bits.
+  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t over_width(std::uint32_t fine) const {
+    // The fraction of a pixel with 32 bits times `mantissa` 2^-exponent; the width has exponent - 15 bits.
+    const std::uint32_t upper = fine >> (inverse.exponent - 15);
+    if (upper > 0xFFFFu) return 0xFFFFu;
+    const std::uint32_t fraction = (upper * (inverse.mantissa >> 1)) >> 14;
+    return fraction < 0xFFFFu ? fraction : 0xFFFFu;
+  }
+};
+
 /// The position of a row's first pixel, from which the method's walker starts the row (RowWalker).
 struct RowStart {
-  /// Distance in pixels from the left edge to the centre of the first column inside the triangle: 16 fraction
-  /// bits, 0 or more and below 1.
-  std::uint32_t fraction;
-  std::uint32_t fine;  ///< the same distance with 32 fraction bits
+  /// From the left edge to the centre of the first column inside the triangle, in its SlopeUnit.
+  std::uint32_t distance;
+  std::uint32_t fraction;  ///< the same distance in pixels, 16 fraction bits, below 1
+  std::uint32_t fine;      ///< in pixels with 32 fraction bits
   /// Columns from that column to the first pixel. Above 0 if the scissor cuts the row on the left.
   std::int32_t skipped;
   std::int32_t column;  ///< of the first pixel, in the picture; not negative
@@ -21,9 +54,10 @@ struct RowStart {
 };
 
 /// Returns the start of the row between two edges at `column`, `skipped` columns after its first column.
-[[nodiscard]] ARCSPAN_INLINE constexpr RowStart row_start(const EdgeWalk& left, const EdgeWalk& right,
-                                                          std::int32_t skipped, std::int32_t column) {
-  return {left.fraction(), left.fine_fraction(), skipped, column, right.x - left.x};
+[[nodiscard]] ARCSPAN_INLINE constexpr RowStart row_start(const SlopeUnit& unit, const EdgeWalk& left,
+                                                          const EdgeWalk& right, std::int32_t skipped,
+                                                          std::int32_t column) {
+  return {unit.distance(left), left.fraction(), left.fine_fraction(), skipped, column, right.x - left.x};
 }
 
 }  // namespace arcspan

@@ -133,6 +133,7 @@ struct TriangleFrame : SortedVertices<Method> {
   Factor middle_fraction;    ///< fraction of the long edge at the middle vertex's height
   std::uint32_t width;       ///< width in pixels at that height, 16 fraction bits, raw value at least 1
   Reciprocal inverse_width;  ///< reciprocal of `width`
+  Reciprocal inverse_unit;   ///< of the SlopeUnit
   [[no_unique_address]] LongWalk<Method> long_walk;  ///< set if the method is one that NeedsNearOverW
 };
 
@@ -218,6 +219,8 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   const auto width = static_cast<std::uint32_t>((across < 0 ? -across : across) >> 20);
   frame.width = width < 1 ? 1u : width;
   frame.inverse_width = nonzero_reciprocal(frame.width);
+  command.unit.set(frame.width, frame.inverse_width);
+  frame.inverse_unit = command.unit.inverse_unit();
 }
 
 }  // namespace detail

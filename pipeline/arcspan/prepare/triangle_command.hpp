@@ -3,6 +3,7 @@
 
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/linear.hpp>
+#include <arcspan/prepare/row_start.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct TriangleCommand {
   std::int16_t middle_row;  ///< first row of the lower half
   std::int16_t end_row;     ///< row after the last
   bool middle_left;         ///< the middle vertex is on the left of the long edge
+  SlopeUnit unit;
   EdgeWalk left;
   EdgeWalk right;
   EdgeWalk lower;

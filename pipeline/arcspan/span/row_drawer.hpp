@@ -72,11 +72,11 @@ template <class Command, class Walker, class Target>
                                                        const RowMemory<Target>& memory) {
   static_assert(RowWalker<Walker, typename Target::Lighting>);
   using Run = typename Walker::Run;
-  const RowStart start = row_start(command.left, command.right, span.x - begin, span.x);
+  const RowStart start = row_start(command.unit, command.left, command.right, span.x - begin, span.x);
   if constexpr (kWalksWholeRows<Run, typename Target::Lighting>) {
     std::int32_t first = span.x;
     if constexpr (!SinkFromFirstColumn<typename Target::Sink>) first = first_in_picture(begin, span.x);
-    Run run = walker.row(row_start(command.left, command.right, first - begin, first));
+    Run run = walker.row(row_start(command.unit, command.left, command.right, first - begin, first));
     return draw_pieces(span, span.x - first, command.right.column() - (span.x + span.count), run,
                        linear_at(command.depth, start), command.depth.dx, target, memory);
   } else {

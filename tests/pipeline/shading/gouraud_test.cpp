@@ -161,7 +161,7 @@ struct Figures {
   std::int32_t longest = 0;
   double error = 0;    ///< of large triangles a pixel wide at least
   double small = 0;    ///< of small triangles, whose gradients have fewer bits
-  double narrow = 0;   ///< of narrower ones, whose gradients saturate: printed, not checked
+  double narrow = 0;   ///< of narrower ones, whose widths have few bits
   double outside = 0;  ///< how far values of any triangle leave the three corners' range
 };
 
@@ -217,6 +217,7 @@ TEST_CASE("Gouraud's unrounded colours are the plane and stay in the corners' ra
   CHECK(f.longest > (all ? longest : 0));
   CHECK(f.error < 0.025);
   CHECK(f.small < 0.15);
+  CHECK(f.narrow < 0.5);
   CHECK(f.outside < 0.02);  // half a step is the room
 }
 

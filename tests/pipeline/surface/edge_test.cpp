@@ -28,7 +28,7 @@ Walked walk(Command& command, bool after_last) {
         walker.enter_lower();
         (command.middle_left ? left : right) = command.lower;
       }
-      auto run = walker.row(row_start(left, right, 0, left.column() + 1024));
+      auto run = walker.row(row_start(command.unit, left, right, 0, left.column() + 1024));
       if (after_last) run.skip(right.column() - left.column());
       at[row] = to_double(run.scalars()[0]);
       left.advance();

@@ -134,7 +134,7 @@ void for_each_pixel(const MappedTriangle<Method>& triangle, const typename Metho
       const std::int32_t end = command.right.column();
       std::int32_t column = command.left.column();
       if (column < end) {
-        auto run = walker.row(row_start(command.left, command.right, 0, column));
+        auto run = walker.row(row_start(command.unit, command.left, command.right, 0, column));
         while (column < end) {
           std::int32_t count = end - column;
           count = run.enter(lighting, count);

@@ -48,7 +48,7 @@ struct Arc {
       std::array<BentScalar, kScalars> quadratic;
       NormalisedSurface<kScalars> normalised;
     };
-    SurfaceRows rows;
+    bool middle_left;
     Path path;
   };
   /// The part of a small triangle.
@@ -75,9 +75,7 @@ struct Arc {
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
     const SurfaceChoice choice = choose_order(lighting, top, middle, bottom, is_bendable(frame));
-    prepared.rows.middle_left = frame.middle_left;
-    prepared.rows.is_sliver = frame.width < std::uint32_t{1} << 16;
-    prepared.rows.inverse = frame.inverse_width;
+    prepared.middle_left = frame.middle_left;
     prepared.path = path_of(choice);
     const bool all = choice.light.reach == LightReach::kHighlight;
     const auto corner = [&](const Vertex& vertex, std::size_t i) {
@@ -94,22 +92,22 @@ struct Arc {
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     switch (prepared.path) {
       case Path::kLinearDiffuse:
-        if constexpr (kHasDiffuse) return draw(Linear<1>(prepared.rows, prepared.linear));
+        if constexpr (kHasDiffuse) return draw(Linear<1>(prepared.middle_left, prepared.linear));
         break;
       case Path::kLinear:
-        return draw(Linear<kScalars>(prepared.rows, prepared.linear));
+        return draw(Linear<kScalars>(prepared.middle_left, prepared.linear));
       case Path::kQuadraticDiffuse:
-        if constexpr (kHasDiffuse) return draw(Quadratic<1>(prepared.rows, prepared.quadratic));
+        if constexpr (kHasDiffuse) return draw(Quadratic<1>(prepared.middle_left, prepared.quadratic));
         break;
       case Path::kQuadratic:
-        return draw(Quadratic<kScalars>(prepared.rows, prepared.quadratic));
+        return draw(Quadratic<kScalars>(prepared.middle_left, prepared.quadratic));
       case Path::kNormalisedDiffuse:
-        if constexpr (kHasDiffuse) return draw(Normalised<1>(prepared.rows, prepared.normalised));
+        if constexpr (kHasDiffuse) return draw(Normalised<1>(prepared.middle_left, prepared.normalised));
         break;
       case Path::kNormalised:
         break;
     }
-    return draw(Normalised<kScalars>(prepared.rows, prepared.normalised));
+    return draw(Normalised<kScalars>(prepared.middle_left, prepared.normalised));
   }
 
   /// Prepares a small triangle (DrawsSmallTriangles) with the vertices top, middle and bottom. Its surface is

@@ -17,9 +17,7 @@
 /// Along an edge f depends on that edge alone, so that neighbouring triangles agree. Down the left edge and
 /// along the rows f is stepped by differences, without a multiply.
 ///
-/// Rows of triangles narrower than a pixel have one pixel at most. Their slopes are made for a width of one
-/// pixel, and a row is started at a fraction of the width (SurfaceRows), so that slivers are as exact as
-/// other triangles.
+/// Slopes are per SlopeUnit, a pixel or the width of a sliver.
 namespace arcspan {
 
 /// A scalar that is linear on the screen.
@@ -121,13 +119,6 @@ struct InverseLength {
   return {Factor::from_raw(static_cast<std::int32_t>(inverse.mantissa >> 1)), inverse.exponent - bits - 16};
 }
 
-/// The inverse of the width of a triangle, or 1 if that is below a pixel.
-template <class Method>
-[[nodiscard]] constexpr InverseLength inverse_width(const TriangleFrame<Method>& frame) {
-  if (frame.width < std::uint32_t{1} << 16) return {Factor::of(1.0), 0};
-  return inverse_length(frame.inverse_width, 16);
-}
-
 [[nodiscard]] constexpr std::int32_t over_length(std::int32_t v, const InverseLength& length) {
   return part(v, length.fraction) >> length.down;
 }
@@ -158,7 +149,7 @@ struct SurfaceEnd {
   std::int32_t slope;
 };
 
-/// Sets up a quadratic surface along an edge with the given bend; `pixel` is inverse_width().
+/// Sets up a quadratic surface along an edge with the given bend; `pixel` is the inverse SlopeUnit.
 constexpr void make_quadratic_edge(const EdgeSetup& edge, const InverseLength& pixel, const SurfaceEnd& from,
                                    const SurfaceEnd& to, std::int32_t bend, const SurfaceFormat& format,
                                    BentScalar::Edge& e) {
@@ -192,7 +183,8 @@ ARCSPAN_OUTLINE constexpr void make_linear_scalar(const TriangleFrame<Method>& f
   const std::int32_t to_middle = wrap_sub(middle.raw() >> 1, top.raw() >> 1);
   const std::int32_t to_bottom = wrap_sub(bottom.raw() >> 1, top.raw() >> 1);
   const std::int32_t across = wrap_sub(to_middle, detail::part(to_bottom, frame.middle_fraction));
-  scalar.slope = detail::over_length(frame.middle_left ? -across : across, detail::inverse_width(frame));
+  scalar.slope = detail::over_length(frame.middle_left ? -across : across,
+                                     detail::inverse_length(frame.inverse_unit, 16));
   if (!frame.middle_left) {
     detail::make_linear_edge(frame.long_edge, top, to_bottom, scalar.left);
     return;
@@ -221,7 +213,7 @@ ARCSPAN_OUTLINE constexpr void make_quadratic_scalar(const TriangleFrame<Method>
   std::int32_t g_top = wrap_sub(wrap_add(across, bends.top_middle), long_m);
   std::int32_t g_bottom = wrap_sub(wrap_add(across, bends.middle_bottom), long_rest);
   std::int32_t g_middle = wrap_add(wrap_add(g_top, part(wrap_sub(g_bottom, g_top), m)), wrap_shl(h, 1));
-  const detail::InverseLength pixel = detail::inverse_width(frame);
+  const detail::InverseLength pixel = detail::inverse_length(frame.inverse_unit, 16);
   scalar.second_difference =
       detail::over_lengths(wrap_shl(h, 1), pixel, pixel, format.dropped - format.slope_dropped);
   if (!frame.middle_left) {

@@ -138,7 +138,7 @@ template <class Steps, class Frame>
                                        std::int32_t& step) {
   const Linear across = gradient_across<Linear>(frame, corners[0], corners[1], corners[2]);
   const int bits = Steps::kHasBorders ? static_cast<std::int8_t>(word_shift) : word_shift;
-  if (bits > 29 || (bits > 0 && across.raw() >> (30 - bits) != across.raw() >> 31)) return false;
+  if (bits > 0 && across.raw() >> (30 - bits) != across.raw() >> 31) return false;
   step = to_word<Steps>(across.raw(), word_shift);
   return true;
 }
@@ -181,29 +181,26 @@ template <class Steps, bool HasLevel>
   return shift >= 0 ? along << shift : along >> -shift;
 }
 
-/// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shifts` less
-/// `narrow`. Returns false if the grid is too coarse for it.
+/// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shifts`. Returns
+/// false if the grid is too coarse for it, and for slivers.
 template <class Steps, class Levels, class Frame>
 [[nodiscard]] constexpr bool prepare_linearly(const Frame& frame, const TextureCorners& corners,
                                               const Levels& levels, const MappedPoint& least,
-                                              const TextureShifts& shifts, int narrow, TextureTriangle& t) {
+                                              const TextureShifts& shifts, TextureTriangle& t) {
   constexpr bool kHasLevels = std::same_as<Levels, CornerLevels>;
   // Each step rounds u by half of 2^(height_bits - 32) at most, all together by 1/32 of a texel; beside a
   // level v is rounded by half of 2^-14 texels.
   const std::uint32_t steps =
       (frame.width >> 16) + 2 * (static_cast<std::uint32_t>(frame.long_edge.dy) >> 4) + 1;
-  if (steps >> most_step_bits<Steps, kHasLevels>(t) != 0) return false;
-  constexpr int kLeastShift = -27;
-  const int shift_u = shifts.u - narrow < kLeastShift ? kLeastShift : shifts.u - narrow;
-  const int shift_v = shifts.v - narrow < kLeastShift ? kLeastShift : shifts.v - narrow;
-  t.u_shift = word_shift_of<Steps>(shift_u, t);
-  t.v_shift = word_shift_of<Steps>(shift_v, t);
+  if (frame.width < 0x10000u || steps >> most_step_bits<Steps, kHasLevels>(t) != 0) return false;
+  t.u_shift = word_shift_of<Steps>(shifts.u, t);
+  t.v_shift = word_shift_of<Steps>(shifts.v, t);
   t.piece = 0;
   std::int32_t u[3];
   std::int32_t v[3];
   for (int i = 0; i < 3; ++i) {
-    u[i] = shifted(wrap_sub(corners.at[i].u, least.u), shift_u);
-    v[i] = shifted(wrap_sub(corners.at[i].v, least.v), shift_v);
+    u[i] = shifted(wrap_sub(corners.at[i].u, least.u), shifts.u);
+    v[i] = shifted(wrap_sub(corners.at[i].v, least.v), shifts.v);
   }
   std::int32_t du;
   std::int32_t dv;
@@ -234,11 +231,11 @@ template <class Steps, class Levels, class Frame>
   return true;
 }
 
-/// Prepares a triangle whose u and v are not linear. `narrow` is by how many bits gradients exceed ranges.
+/// Prepares a triangle whose u and v are not linear.
 template <class Steps, class Frame>
 constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& corners,
-                                      const MappedPoint& least, const TextureShifts& shifts, int narrow,
-                                      const Extent& w, TextureTriangle& t) {
+                                      const MappedPoint& least, const TextureShifts& shifts, const Extent& w,
+                                      TextureTriangle& t) {
   t.u_shift = word_shift_of<Steps>(shifts.u, t);
   t.v_shift = word_shift_of<Steps>(shifts.v, t);
   // All values as Linear, of which all 28 bits are used.
@@ -248,7 +245,7 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   std::int32_t f_v[3];
   for (int i = 0; i < 3; ++i) {
     const std::int32_t at = corners.near_over_w[i];
-    const std::int32_t scaled = (up >= 0 ? wrap_shl(at, up) : at >> -up) >> narrow;
+    const std::int32_t scaled = up >= 0 ? wrap_shl(at, up) : at >> -up;
     q[i] = scaled < kLeastQ ? kLeastQ : scaled;
     f_u[i] = wrap_shl(wrap_sub(corners.at[i].u, least.u), 12 + shifts.u);
     f_v[i] = wrap_shl(wrap_sub(corners.at[i].v, least.v), 12 + shifts.v);
@@ -340,11 +337,9 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   t.v_origin = detail::word_of<Steps>(least.v, t);
   t.middle_left = frame.middle_left;
   const detail::TextureShifts shifts(u.range(), v.range());
-  // In a triangle narrower than a pixel gradients are larger than ranges, by so many bits.
-  const int narrow = frame.width < 0x10000u ? std::countl_zero(frame.width) - 15 : 0;
   if (!detail::is_nearly_linear(t, u.range(), v.range(), w) ||
-      !detail::prepare_linearly<Steps>(frame, corners, levels, least, shifts, narrow, t)) {
-    detail::prepare_in_perspective<Steps>(frame, corners, least, shifts, narrow, w, t);
+      !detail::prepare_linearly<Steps>(frame, corners, levels, least, shifts, t)) {
+    detail::prepare_in_perspective<Steps>(frame, corners, least, shifts, w, t);
   }
 }
 

@@ -754,6 +754,24 @@ TEST_CASE("rigs: poses between keys are within 16 bits") {
   }
 }
 
+TEST_CASE("rigs: a joint that takes vertices of others farther than the pipeline adds is refused") {
+  const auto stretched = [](float distance, float weight) {
+    GltfRig rig = bending_tube();
+    Floats weights;
+    for (int i = 0; i < 36; ++i) weights.insert(weights.end(), {1 - weight, weight, 0, 0});
+    rig.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] = rig.quadruples(weights);
+    rig.clip("pull");
+    rig.channel(2, "translation", {0, 1}, rig.vectors({0, 1, 0, distance, 1, 0}));
+    return loaded(rig);
+  };
+  CHECK(worst_of_pipeline(stored(stretched(20, .3f)), 0, 1) < 64);
+  CHECK(worst_of_pipeline(stored(stretched(20, .0004f)), 0, 1) < 300);  // such a weight is not stored
+  CHECK(message_of<Failure>([&] { (void)stored(stretched(60, .1f)); }) ==
+        "rig: the node 2 'upper' takes a vertex of other joints, too, 4 times as far as the model's extent "
+        "in the "
+        "clip 'pull'; --pose leaves the nodes out");
+}
+
 TEST_CASE("rigs: a chain of many joints is right between its keys") {
   for (const FixedModel& chain :
        {stored(loaded(curling_chain(20, 29))), stored(loaded(curling_chain(24, 20)))}) {

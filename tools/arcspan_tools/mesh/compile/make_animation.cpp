@@ -3,6 +3,7 @@
 
 #include <arcspan_tools/fixed_point/rounding.hpp>
 #include <arcspan_tools/mesh/compile/animation_space.hpp>
+#include <arcspan_tools/mesh/compile/far_joints.hpp>
 #include <arcspan_tools/mesh/compile/make_animation.hpp>
 #include <arcspan_tools/mesh/compile/part_motion.hpp>
 #include <arcspan_tools/support/failure.hpp>
@@ -192,6 +193,7 @@ FixedAnimation make_animation(const FixedModel& model, const ClipOptions& option
   for (const FixedMesh& mesh : model.meshes) animation.parts.push_back(motions.motion(mesh));
   animation.skins = motions.skins();
   animation.nodes = space.nodes();
+  check_joints_are_near(model, subject);
   shorten_names(animation);
   ClipMaker maker(model, space, animation, options, subject);
   for (const RigClip& clip : model.rig->clips) {

@@ -754,6 +754,32 @@ TEST_CASE("rigs: poses between keys are within 16 bits") {
   }
 }
 
+/// A bar from 0 to 4 along x that one clip turns up and another down by `degrees`; at rest it is turned up.
+GltfRig waving_bar(double degrees) {
+  GltfRig rig = moved_square("rotation", {0}, turn_z(degrees), "LINEAR");
+  rig.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
+      rig.vectors({0, 0, 0, 4, 0, 0, 4, .1f, 0});
+  rig.json["nodes"][0]["rotation"] = turn_z(degrees);
+  rig.clip("down");
+  rig.channel(0, "rotation", {0}, rig.quadruples(turn_z(-degrees)));
+  return rig;
+}
+
+TEST_CASE("rigs: fades between clips are within 16 bits, which costs nothing where they are anyway") {
+  for (const double degrees : {4., 20., 60.}) {
+    CAPTURE(degrees);
+    const FixedModel fixed = stored(loaded(waving_bar(degrees)));
+    const Binary binary(fixed);
+    const arcspan::ClipBlend half{{binary.animation.clip(0), 0}, {binary.animation.clip(1), 0}, 32768};
+    double farthest = 0;
+    for (const PosedVertex& vertex : posed_by_pipeline(binary, 0, half))
+      farthest = std::max(farthest, vertex.position.x * fixed.meshes[0].unit + fixed.meshes[0].centre.x);
+    CHECK(farthest == Approx(4).margin(.002));
+  }
+  const double widest = 4 * std::cos(4 * kDegree) + .1 * std::sin(4 * kDegree);
+  CHECK(stored(loaded(waving_bar(4))).meshes[0].unit * 65534 == Approx(1.04 * widest).epsilon(2e-4));
+}
+
 TEST_CASE("rigs: a joint that takes vertices of others farther than the pipeline adds is refused") {
   const auto stretched = [](float distance, float weight) {
     GltfRig rig = bending_tube();

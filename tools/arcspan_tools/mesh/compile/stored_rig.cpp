@@ -172,9 +172,53 @@ void extend_by_morphs(Box& box, const Rig& rig, const std::vector<Affine>& place
   for (const double sign : {-1.0, 1.0}) extend(box, middle + Vec3{sign, 0, 0} * most_added);
 }
 
-/// A box around the stored vertices and all poses.
-Box reach_of(const Model& model, const std::vector<Affine>& places) {
+/// Rest and some moments of all clips, at most `most` of a clip.
+std::vector<RigMoment> moments_of(const Rig& rig, std::size_t most) {
+  std::vector<RigMoment> moments = {{}};
+  for (const RigClip& clip : rig.clips) {
+    for (const double time : times_between(key_times(clip), 1, most)) moments.push_back({&clip, time});
+  }
+  return moments;
+}
+
+/// Makes `box` hold the vertices on the way between moments of clips, where fades take them.
+void extend_by_fades(Box& box, const Model& model) {
+  constexpr std::size_t kMostPosed = 1'000'000;
+  constexpr std::size_t kMostMoments = 8;  // of a clip
+  const std::size_t most = std::max<std::size_t>(kMostPosed / model.vertex_count(), 64);
+  const std::vector<RigMoment> moments = moments_of(*model.rig, kMostMoments);
+  const std::size_t pairs = moments.size() * moments.size();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const std::size_t from = i / moments.size();
+    const std::size_t to = i % moments.size();
+    if (to <= from || i < next) continue;
+    next = i + 1 + pairs / most;
+    for (const double weight : {0.25, 0.5, 0.75})
+      extend(box, model, faded_pose(*model.rig, moments[from], moments[to], weight));
+  }
+}
+
+/// Whether positions of 16 bits, made for `box`, have room for `inner`, but for a pixel of a model of 256:
+/// the longest side in all directions.
+bool has_room(const Box& box, const Box& inner) {
+  const Vec3 sides = box.high - box.low;
+  const double side = std::max({sides.x, sides.y, sides.z});
+  const Vec3 room = Vec3{side, side, side} * 0.5;
+  const Vec3 middle = (box.low + box.high) * 0.5;
+  const Vec3 low = inner.low - (middle - room);
+  const Vec3 high = middle + room - inner.high;
+  return std::min({low.x, low.y, low.z, high.x, high.y, high.z}) >= -side / 256;
+}
+
+Box with_margin(const Box& box) {
   constexpr double kMargin = 0.02;  // of the extent, on each side
+  const Vec3 margin = (box.high - box.low) * kMargin;
+  return {box.low - margin, box.high + margin};
+}
+
+/// A box around the stored vertices and all poses, and around fades if it has no room for them.
+Box reach_of(const Model& model, const std::vector<Affine>& places) {
   constexpr std::size_t kMostPosed = 4'000'000;
   const Vec3 any = model.parts[0].mesh.positions[0];
   Box box{any, any};
@@ -189,8 +233,9 @@ Box reach_of(const Model& model, const std::vector<Affine>& places) {
       extend(box, model, pose_at(*model.rig, clip, time));
   }
   extend_by_morphs(box, *model.rig, places);
-  const Vec3 margin = (box.high - box.low) * kMargin;
-  return {box.low - margin, box.high + margin};
+  Box faded = box;
+  extend_by_fades(faded, model);
+  return with_margin(has_room(with_margin(box), faded) ? box : faded);
 }
 
 }  // namespace

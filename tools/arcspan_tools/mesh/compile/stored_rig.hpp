@@ -17,7 +17,7 @@ namespace arcspan::tools {
 
 /// `model` with its vertices as they are stored for its rig, in place of the pose at rest, and with `reach`:
 /// a box around them, and around the poses at all keys of all clips and at times between, with a margin for
-/// poses that programs make.
+/// poses that programs make; also around fades between some of these poses if it had no room for them.
 [[nodiscard]] Model as_stored(const Model& model);
 
 /// The least and the largest weight of a morph target.

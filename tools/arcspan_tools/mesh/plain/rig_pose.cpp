@@ -14,6 +14,23 @@ void move(NodeTransform& node, const RigChannel& channel, double time) {
   if (channel.path == ChannelPath::kScale) node.scale = {v[0], v[1], v[2]};
 }
 
+/// All nodes at a moment; those with a matrix, which no clip moves, are left as they are.
+std::vector<NodeTransform> transforms_at(const Rig& rig, const RigMoment& moment) {
+  std::vector<NodeTransform> transforms;
+  for (const RigNode& node : rig.nodes) transforms.push_back(node.rest);
+  if (moment.clip == nullptr) return transforms;
+  for (const RigChannel& channel : moment.clip->channels) {
+    if (channel.path != ChannelPath::kMorphWeights) move(transforms[channel.node], channel, moment.time);
+  }
+  return transforms;
+}
+
+NodeTransform between(const NodeTransform& a, const NodeTransform& b, double weight) {
+  return {a.translation * (1 - weight) + b.translation * weight,
+          slerp(unit_length(a.rotation), unit_length(b.rotation), weight),
+          a.scale * (1 - weight) + b.scale * weight};
+}
+
 }  // namespace
 
 RigPose rest_pose(const Rig& rig) {
@@ -25,17 +42,34 @@ RigPose rest_pose(const Rig& rig) {
 
 RigPose pose_at(const Rig& rig, const RigClip& clip, double time) {
   RigPose pose = rest_pose(rig);
-  std::vector<NodeTransform> moved;
-  for (const RigNode& node : rig.nodes) moved.push_back(node.rest);
+  const std::vector<NodeTransform> moved = transforms_at(rig, {&clip, time});
   for (const RigChannel& channel : clip.channels) {
     if (channel.path != ChannelPath::kMorphWeights) {
-      move(moved[channel.node], channel, time);
       pose.nodes[channel.node] = moved[channel.node].affine();
       continue;
     }
     for (std::size_t i = 0; i < rig.instances.size(); ++i) {
       if (rig.instances[i].node == channel.node) pose.morph_weights[i] = channel.at(time);
     }
+  }
+  return pose;
+}
+
+RigPose faded_pose(const Rig& rig, const RigMoment& from, const RigMoment& to, double weight) {
+  const auto pose_of = [&rig](const RigMoment& moment) {
+    return moment.clip == nullptr ? rest_pose(rig) : pose_at(rig, *moment.clip, moment.time);
+  };
+  RigPose pose = pose_of(from);
+  const RigPose other = pose_of(to);
+  const std::vector<NodeTransform> a = transforms_at(rig, from);
+  const std::vector<NodeTransform> b = transforms_at(rig, to);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!rig.nodes[i].matrix) pose.nodes[i] = between(a[i], b[i], weight).affine();
+  }
+  for (std::size_t i = 0; i < pose.morph_weights.size(); ++i) {
+    std::vector<double>& weights = pose.morph_weights[i];
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      weights[k] = weights[k] * (1 - weight) + other.morph_weights[i][k] * weight;
   }
   return pose;
 }

@@ -20,6 +20,15 @@ struct RigPose {
 /// The pose of a clip at `time`, in seconds; what the clip does not move is at rest.
 [[nodiscard]] RigPose pose_at(const Rig& rig, const RigClip& clip, double time);
 
+/// A clip at a time, in seconds; rest without a clip.
+struct RigMoment {
+  const RigClip* clip = nullptr;
+  double time = 0;
+};
+
+/// The pose in a fade between two moments, of which the second has `weight`, 0...1.
+[[nodiscard]] RigPose faded_pose(const Rig& rig, const RigMoment& from, const RigMoment& to, double weight);
+
 /// Poses vertices: morph targets first, then the joints of the skin; the mesh's own node counts only without
 /// a skin. The rig must outlive this.
 class RigPoser {

@@ -108,6 +108,20 @@ TEST_CASE("a model binary is posed as the file that it was made of") {
         "arcspan: " + binary + ": no clip 'walk' (there are: bend (1 s))\n");
 }
 
+TEST_CASE("a warning names a clip that moves nothing of the model") {
+  const TemporaryFolder folder;
+  GltfRig rig = bending_tube(5);
+  rig.json["nodes"].push_back({{"name", "lamp"}});
+  rig.json["scenes"][0]["nodes"].push_back(4);
+  rig.clip("swing");
+  rig.channel(4, "translation", {0, 1}, rig.vectors({0, 0, 0, 1, 0, 0}));
+  const std::string file = folder.file("tube.glb", rig.glb());
+  const CommandRun made = run("mesh " + file + " -o " + (folder / "tube.bin"));
+  CHECK(made.status == 0);
+  CHECK(made.err.find("clips that move nothing of the model are left out (1): 'swing'\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("a clip whose name is cut in a binary is played by its own, and a warning says what is cut") {
   const TemporaryFolder folder;
   GltfRig rig = bending_tube(5);

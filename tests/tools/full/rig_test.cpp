@@ -798,6 +798,24 @@ TEST_CASE("rigs: a joint that takes vertices of others farther than the pipeline
         "clip 'pull'; --pose leaves the nodes out");
 }
 
+TEST_CASE("rigs: clips that move nothing of the model are named") {
+  GltfRig rig = bending_tube();
+  rig.json["nodes"].push_back({{"name", "lamp"}});
+  rig.json["scenes"][0]["nodes"].push_back(4);
+  rig.clip("bend");
+  rig.channel(2, "rotation", {0, 1}, rig.quadruples(joined({turn_z(0), turn_z(70)})));
+  rig.clip("swing");
+  rig.channel(4, "translation", {0, 1}, rig.vectors({0, 0, 0, 1, 0, 0}));
+  const FixedModel fixed = stored(loaded(rig));
+  CHECK(fixed.animation->clips.size() == 1);
+  CHECK(fixed.animation->still_clips == Lines{"swing"});
+  GltfRig still = moved_square("translation", {0, 1}, {0, 0, 0, 1, 0, 0}, "LINEAR");
+  still.json["nodes"].push_back({{"name", "lamp"}});
+  still.json["scenes"][0]["nodes"].push_back(1);
+  still.json["animations"][0]["channels"][0]["target"]["node"] = 1;
+  CHECK(loaded(still).warnings == Lines{"left out: animations that move nothing (1)"});
+}
+
 TEST_CASE("rigs: a chain of many joints is right between its keys") {
   for (const FixedModel& chain :
        {stored(loaded(curling_chain(20, 29))), stored(loaded(curling_chain(24, 20)))}) {

@@ -328,6 +328,11 @@ std::vector<std::string> warnings(const MeshReport& r) {
   }
   if (r.compiled.model.rig != nullptr) add_mirroring_clips(*r.compiled.model.rig, lines);
   const auto& animation = r.compiled.model.animation;
+  if (animation != nullptr && !animation->still_clips.empty()) {
+    lines.push_back(formatted("clips that move nothing of the model are left out (%zu): ",
+                              animation->still_clips.size()) +
+                    in_quotes(animation->still_clips[0]));
+  }
   if (animation != nullptr && !animation->cut_names.empty()) {
     lines.push_back(
         formatted("names of clips and nodes are cut after 31 bytes (%zu): ", animation->cut_names.size()) +

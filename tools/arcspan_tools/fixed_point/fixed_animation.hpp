@@ -88,7 +88,8 @@ struct FixedAnimation {
   std::vector<FixedSkin> skins{};
   std::vector<FixedPartMotion> parts{};
   std::vector<FixedClip> clips{};
-  std::vector<std::string> cut_names{};  ///< those of the file that are longer than the format's
+  std::vector<std::string> cut_names{};    ///< those of the file that are longer than the format's
+  std::vector<std::string> still_clips{};  ///< of the file, left out because they move nothing of the model
 };
 
 }  // namespace arcspan::tools

@@ -198,7 +198,10 @@ FixedAnimation make_animation(const FixedModel& model, const ClipOptions& option
   ClipMaker maker(model, space, animation, options, subject);
   for (const RigClip& clip : model.rig->clips) {
     FixedClip made = maker.make(clip);
-    if (made.channels.empty()) continue;
+    if (made.channels.empty()) {
+      animation.still_clips.push_back(clip.name);
+      continue;
+    }
     if (made.name != clip.name) animation.cut_names.push_back(clip.name);
     animation.clips.push_back(std::move(made));
   }

@@ -79,6 +79,7 @@ class GltfReader {
     rest_ = &rest;
     for (std::size_t i = 0; i < nodes_.json.size(); ++i) read_node(i);
     note_the_rest();
+    if (rig_->instances.empty()) left_out_.add("animations that move nothing", rig_->clips.size());
     left_out_.warn(model_.warnings);
     textures_.warn(model_.warnings);
     if (!rig_->instances.empty()) model_.rig = rig_;

@@ -97,10 +97,12 @@ namespace detail {
   return {component(sx), component(sy), component(sz)};
 }
 
-/// normalised() for wider components, |component| < 2^62.
+/// normalised() for wider components.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised_wide(std::int64_t x, std::int64_t y,
                                                                   std::int64_t z) {
-  const auto size = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
+  const auto size = [](std::int64_t v) {
+    return v < 0 ? 0 - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v);
+  };
   const int bits = static_cast<int>(std::bit_width(size(x) | size(y) | size(z)));
   const int down = bits > 31 ? bits - 31 : 0;
   return normalised(static_cast<std::int32_t>(x >> down), static_cast<std::int32_t>(y >> down),

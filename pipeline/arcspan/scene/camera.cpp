@@ -42,9 +42,10 @@ Rotation product(const Rotation& a, const Rotation& b) {
   Rotation rotation;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      std::int64_t sum = std::int64_t{1} << 29;  // halves of entries keep the sum below 2^63
-      for (std::size_t k = 0; k < 3; ++k) sum += std::int64_t{a.m[i][k].raw()} * b.m[k][j].raw();
-      rotation.m[i][j] = detail::rotation_entry(sum >> 30);
+      std::uint64_t sum = std::uint64_t{1} << 29;  // wraps if neither is a rotation
+      for (std::size_t k = 0; k < 3; ++k)
+        sum += static_cast<std::uint64_t>(std::int64_t{a.m[i][k].raw()} * b.m[k][j].raw());
+      rotation.m[i][j] = detail::rotation_entry(static_cast<std::int64_t>(sum) >> 30);
     }
   }
   return rotation;

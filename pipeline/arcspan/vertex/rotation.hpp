@@ -154,8 +154,11 @@ namespace detail {
 constexpr Direction Rotation::to_object(const Direction& view) const {
   std::int64_t rotated[3] = {};
   for (std::size_t j = 0; j < 3; ++j) {
-    rotated[j] = std::int64_t{m[0][j].raw()} * view.x.raw() + std::int64_t{m[1][j].raw()} * view.y.raw() +
-                 std::int64_t{m[2][j].raw()} * view.z.raw();
+    const auto product = [&](std::size_t i, DirectionComponent c) {
+      return static_cast<std::uint64_t>(std::int64_t{m[i][j].raw()} * c.raw());
+    };
+    // The sum wraps if these are neither a rotation nor a unit vector.
+    rotated[j] = static_cast<std::int64_t>(product(0, view.x) + product(1, view.y) + product(2, view.z));
   }
   return normalised_wide(rotated[0], rotated[1], rotated[2]);
 }

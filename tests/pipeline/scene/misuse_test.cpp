@@ -306,10 +306,10 @@ TEST_CASE("no number leads to undefined behaviour") {
     if (random.chance(0.5)) return random_rotation(random);
     const auto entry = [&] { return RotationEntry::from_raw(word()); };
     if (random.chance(0.5)) return rotation_of(Quaternion{entry(), entry(), entry(), entry()});
-    // Not orthonormal, but with entries of -1...1 as the format has them.
-    Rotation made{};
+    Rotation made{};  // not orthonormal, with entries of -1...1 or of all that the format has
+    const int dropped = random.chance(0.5) ? 1 : 0;
     for (auto& row : made.m) {
-      for (RotationEntry& e : row) e = RotationEntry::from_raw(word() >> 1);
+      for (RotationEntry& e : row) e = RotationEntry::from_raw(word() >> dropped);
     }
     return made;
   };

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdint>
 
 using namespace arcspan;
 
@@ -59,6 +60,19 @@ TEST_CASE("a thousand products are still precise enough for culling by planes, a
   for (int i = 0; i < 99000; ++i) turned = turn * turned;
   CHECK_FALSE(detail::is_orthonormal(turned));
 }
+
+// As a constant, to_object() of numbers that are neither a rotation nor a direction compiles only if no sum
+// overflows.
+namespace {
+constexpr auto kLeastEntry = RotationEntry::from_raw(INT32_MIN);
+constexpr auto kLeastComponent = DirectionComponent::from_raw(INT32_MIN);
+constexpr Rotation kNoRotation{{{kLeastEntry, kLeastEntry, kLeastEntry},
+                                {kLeastEntry, kLeastEntry, kLeastEntry},
+                                {kLeastEntry, kLeastEntry, kLeastEntry}}};
+constexpr Direction kAnywhere = kNoRotation.to_object({kLeastComponent, kLeastComponent, kLeastComponent});
+static_assert(kAnywhere.x == kAnywhere.y && kAnywhere.y == kAnywhere.z);
+static_assert(normalised_wide(INT64_MIN, 0, 0) == normalised_wide(-1, 0, 0));
+}  // namespace
 
 TEST_CASE("to_object undoes the rotation of a direction") {
   const Rotation rotation = Rotation::about_y({1000}) * Rotation::about_x({60000});

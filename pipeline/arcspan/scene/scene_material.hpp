@@ -155,11 +155,13 @@ class PreparedMaterial : public SceneMaterial {
     return prepared;
   }
   /// A material from the method's own data, such as Unlit::lighting(colour). A lit one is for scenes whose
-  /// ambient light is white.
-  constexpr explicit PreparedMaterial(const Lighting& lighting, const DrawOptions& options = {})
-      : SceneMaterial(detail::kUseFacts<Used>, options), lighting_(lighting) {}
+  /// ambient light is white; if its method takes a single light, that is white and of strength 1.
+  constexpr explicit PreparedMaterial(const Lighting& lighting,
+                                      const DrawOptions& options = {}) requires(!kIsLit ||
+                                                                                !Used::kChangingLight)
+      : PreparedMaterial(options, lighting) {}
   /// Black. A place for make().
-  constexpr PreparedMaterial() : PreparedMaterial(Lighting{}) {}
+  constexpr PreparedMaterial() : PreparedMaterial(DrawOptions{}, Lighting{}) {}
 
   [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
   /// Illumination::set_tolerance(), which is kDefaultTolerance after make() and of().
@@ -193,6 +195,9 @@ class PreparedMaterial : public SceneMaterial {
   /// @endcond
 
  private:
+  constexpr PreparedMaterial(const DrawOptions& options, const Lighting& lighting)
+      : SceneMaterial(detail::kUseFacts<Used>, options), lighting_(lighting) {}
+
   struct Nothing {};
   /// The ambient light that the material was made for.
   struct MadeFor {
@@ -200,7 +205,7 @@ class PreparedMaterial : public SceneMaterial {
   };
   /// With a single light also its weights, and the material from which it is made again if Use allows that.
   struct MadeForOne : MadeFor {
-    detail::ChannelWeights weights{};
+    detail::ChannelWeights weights = detail::kFullWeights;
     std::conditional_t<Used::kChangingLight, Material, Nothing> material{};
   };
   static constexpr bool kSingleLight = detail::kUseFacts<Used>.lights == 1;
@@ -263,7 +268,7 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
   Status status = Illumination::make(detail::under(lights.ambient, material), all, kAhead, illumination);
   if (ok(status)) status = illumination.set_tolerance(kDefaultTolerance);
   if (!ok(status)) return status;
-  prepared = PreparedMaterial(Lighting(illumination), options);
+  prepared = PreparedMaterial(options, Lighting(illumination));
   prepared.made_for_.ambient = lights.ambient;
   if constexpr (kSingleLight) {
     prepared.made_for_.weights = detail::channel_weights(all[0]);
@@ -286,11 +291,13 @@ constexpr bool PreparedMaterial<M>::is_made_for(const detail::ObjectLights& seen
 template <class M>
 constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Lighting& lighting) const {
   using Illumination = detail::IlluminationOf<Lighting>;
-  const auto lights = detail::first_lights<Illumination::kLights>(seen);
+  auto lights = detail::first_lights<Illumination::kLights>(seen);
   std::array<Direction, Illumination::kLights> towards{};
   for (std::size_t i = 0; i < lights.size(); ++i) towards[i] = lights[i].towards;
   if (!is_made_for(seen)) {
     if constexpr (kSingleLight && Used::kChangingLight) {
+      // A point light in the object's middle has no direction, which make() takes without a strength only.
+      if (towards[0] == Direction{}) lights[0].strength = {};
       Illumination illumination;
       Status status = Illumination::make(detail::under(seen.ambient, made_for_.material), lights, seen.to_eye,
                                          illumination);

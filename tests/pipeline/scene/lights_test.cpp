@@ -4,11 +4,13 @@
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/scene_support.hpp>
+#include <tests/support/misuse_recorder.hpp>
 #include <tests/support/test_share.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 using namespace arcspan;
 using namespace arcspan::test;
@@ -144,6 +146,47 @@ TEST_CASE("a single light is part of the material") {
     const Cosine c = Cosine::from_raw(i << 24);
     CHECK(lighting.colour({c, c}).lanes == made.colour({c, c}).lanes);
   }
+}
+
+TEST_CASE("a point light in an object's middle is no misuse of a material that is made again for it") {
+  using Single = Illumination<1, Highlight::kPhong>;
+  using Changing = PreparedMaterial<Use<Flat<Single>, DrawFeatures{}, true>>;
+  const WorldPoint at = WorldPoint::of(1, 2, 3);
+  const Material grey = matter(Coefficient::of(0.5), Coefficient::of(0.5), Coefficient::of(0.5));
+  Changing material;
+  REQUIRE(ok(Changing::make(grey, {}, {}, material)));
+  detail::ObjectLights seen{};
+  seen.lights[0] = SceneLight::point(at, WorldLength::of(5)).seen_from(at, Rotation::identity());
+  seen.to_eye = arcspan::normalised(0, 0, 1);
+  seen.ambient = kWhite;
+  Single lighting;
+  MisuseRecorder recorder;
+  REQUIRE(ok(material.light(seen, lighting)));
+  CHECK(recorder.take().empty());
+  const auto scalars = lighting.scalars(arcspan::normalised(0, 0, 1));
+  CHECK(lighting.colour(scalars).lanes == lighting.diffuse_colour({}).lanes);
+}
+
+TEST_CASE("a material from an illumination is for a white light of strength 1") {
+  using Single = Illumination<1, Highlight::kPhong>;
+  using Constant = PreparedMaterial<Flat<Single>>;
+  using Changing = PreparedMaterial<Use<Flat<Single>, DrawFeatures{}, true>>;
+  const Material grey = matter(Coefficient::of(0.5), Coefficient::of(0.5), Coefficient::of(0.5));
+  const Direction ahead = arcspan::normalised(0, 0, 1);
+  Single made;
+  REQUIRE(ok(Single::make(grey, {DirectionalLight{ahead}}, ahead, made)));
+  detail::ObjectLights seen{};
+  seen.lights[0] = DirectionalLight{ahead};
+  seen.to_eye = ahead;
+  seen.ambient = kWhite;
+  Single lighting;
+  REQUIRE(ok(Constant(made).light(seen, lighting)));
+  CHECK(lighting.colour(lighting.scalars(ahead)).lanes == made.colour(made.scalars(ahead)).lanes);
+  seen.lights[0].strength = Coefficient::of(0.5);
+  CHECK(Constant(made).light(seen, lighting) == Status::kLightChanged);
+  // It would be made again from a material that it does not have.
+  CHECK_FALSE(std::is_constructible_v<Changing, const Single&>);
+  CHECK(std::is_default_constructible_v<Changing>);
 }
 
 TEST_CASE("ambient light is part of the material") {

@@ -67,6 +67,7 @@ class SceneLight {
 
 /// The lights of a scene: up to as many as the shading methods take, and the colour of the ambient light,
 /// which is multiplied with the ambient colours of materials when they are prepared (see Use).
+/// Highlights are those of an eye that is far away: its direction is the camera's axis for all objects.
 struct LightList {
   std::span<const SceneLight> lights;
   ChannelCoefficients ambient = kWhite;

@@ -89,6 +89,8 @@ TEST_CASE("the eye's direction turns with camera and object") {
   CHECK(detail::lights_at(header, object).to_eye == arcspan::normalised(1, 0, 0));
   object.rotation = Rotation::about_y(Turn{0x4000});  // its z axis points along the world's x
   CHECK(detail::lights_at(header, object).to_eye == arcspan::normalised(0, 0, 1));
+  object.position = WorldPoint::of(0, 2, 0);  // it is the camera's axis wherever the object stands
+  CHECK(detail::lights_at(header, object).to_eye == arcspan::normalised(0, 0, 1));
 }
 
 TEST_CASE("a prepared material is the illumination that make() gives for the object's lights") {

@@ -234,8 +234,13 @@ static void on_refresh_end(lv_event_t* e) {
 
 /* Drawing */
 
-/* Draws the part of the scene in `strip` in a layer, and the layer with an opacity and, unless `radius` is 0,
- * with the round corners of `corners`. */
+/* Styles of the view, or of what holds it, lay a colour over it: LVGL's theme does so if that is disabled. */
+static bool is_recoloured(const lv_layer_t* layer) {
+  return ARCSPAN_C_ARGB8888 && layer->recolor.alpha > LV_OPA_MIN;
+}
+
+/* Draws the part of the scene in `strip` in a layer, and the layer with an opacity, the colour that styles
+ * lay over it and, unless `radius` is 0, with the round corners of `corners`. */
 static void add_layer(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_t* strip, lv_opa_t opa,
                       const lv_area_t* corners, int32_t radius) {
   const lv_area_t picture = picture_area(view);
@@ -258,6 +263,8 @@ static void add_layer(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area_
   descriptor.base.obj = &view->obj;
   descriptor.src = scene;
   descriptor.opa = opa;
+  descriptor.recolor = lv_color_make(layer->recolor.red, layer->recolor.green, layer->recolor.blue);
+  descriptor.recolor_opa = layer->recolor.alpha;
   lv_draw_layer(layer, &descriptor, strip);
 }
 
@@ -334,7 +341,7 @@ static void draw_main(lv_event_t* e) {
   if (opa <= LV_OPA_MIN) return;
   lv_area_t corners;
   const int32_t radius = corner_radius(&view->obj, &corners);
-  if (opa < LV_OPA_MAX || pixels_more(view) != 0) {
+  if (opa < LV_OPA_MAX || is_recoloured(layer) || pixels_more(view) != 0) {
     add_layers(layer, view, &area, opa, &corners, radius);
     return;
   }

@@ -233,6 +233,28 @@ TEST_CASE("outlines that cannot be smoothed leave the picture as it is, with a s
   }
 }
 
+TEST_CASE("a colour that styles lay over a view, or over what holds it, lies over the scene, too") {
+  Screen screen;
+  BallScene balls(outlined_ball());
+  lv_obj_t* const view = make_view(balls);
+  set_outlines(view, GENERATE(kPlain, kSmooth));
+  lv_obj_t* const coloured = GENERATE(false, true) ? lv_screen_active() : view;
+  screen.refresh();
+  const auto plain = screen.pixels;
+  const auto middle = screen.pixel(70, 50);
+  lv_obj_set_style_recolor(coloured, lv_color_hex(0x00FF00), 0);
+  lv_obj_set_style_recolor_opa(coloured, LV_OPA_50, 0);
+  screen.refresh();
+  CHECK((screen.pixel(70, 50) != middle));
+  lv_obj_set_style_recolor_opa(coloured, LV_OPA_COVER, 0);
+  screen.refresh();
+  CHECK((screen.pixel(70, 50) == std::vector<std::uint8_t>{0xE0, 0x07}));  // green in rgb565
+  lv_obj_set_style_recolor_opa(coloured, LV_OPA_TRANSP, 0);
+  screen.refresh();
+  CHECK((screen.pixels == plain));
+  CHECK(lv_arcspan_view_get_dropped(view) == 0);
+}
+
 TEST_CASE("400 random repaints show what one redraw of all shows") {
   std::mt19937 random(7);
   const auto number = [&](std::int32_t least, std::int32_t most) {

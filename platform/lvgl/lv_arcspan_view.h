@@ -43,7 +43,11 @@ void lv_arcspan_view_set_camera(lv_obj_t* obj, const lv_arcspan_camera_t* camera
 /* Names the object that a drag over the picture, arrow keys, an encoder that edits the widget and pinches
  * turn and scale. They send LV_EVENT_VALUE_CHANGED. The widget then joins the default group, unless it is in
  * one. The object gets the rotation and the scale of the widget: none and 1 at first. With
- * LV_ARCSPAN_NO_OBJECT, the default, input does nothing. */
+ * LV_ARCSPAN_NO_OBJECT, the default, input does nothing.
+ *
+ * It gets them when a refresh starts. What must follow it in the same frame, as by arcspan_attach(), is moved
+ * after that, in LV_EVENT_REFR_START | LV_EVENT_PREPROCESS of the display, by a callback that is added after
+ * the widget was made. */
 void lv_arcspan_view_set_turned(lv_obj_t* obj, arcspan_object object);
 void lv_arcspan_view_set_rotation(lv_obj_t* obj, arcspan_quaternion rotation);
 arcspan_quaternion lv_arcspan_view_get_rotation(const lv_obj_t* obj);

@@ -568,6 +568,38 @@ TEST_CASE("a view that an event of the refresh shows turns its object for it") {
   CHECK((screen.pixels == pixels));
 }
 
+TEST_CASE("an object that follows the turned one in an event of the refresh is drawn with it") {
+  struct Follower {
+    arcspan_scene* scene;
+    arcspan_object object;
+    lv_obj_t* view;
+  };
+  Screen screen;
+  const arcspan_scene_limits two_balls{2, 0};
+  std::vector<unsigned char> memory(arcspan_scene_bytes(&two_balls));
+  BallScene balls;
+  REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &two_balls, &balls.scene) == ARCSPAN_OK);
+  Follower follower{balls.scene, 0, nullptr};
+  REQUIRE(arcspan_add_model(balls.scene, &ball, &balls.object) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_model(balls.scene, &ball, &follower.object) == ARCSPAN_OK);
+  REQUIRE(arcspan_set_position(balls.scene, follower.object, {ARCSPAN_LENGTH(0.7), 0, 0}) == ARCSPAN_OK);
+  follower.view = make_view(balls);
+  const auto follow = [](lv_event_t* e) {
+    const auto& wanted = *static_cast<Follower*>(lv_event_get_user_data(e));
+    const arcspan_length scale = lv_arcspan_view_get_scale(wanted.view);
+    CHECK(arcspan_set_scale(wanted.scene, wanted.object, scale) == ARCSPAN_OK);
+  };
+  const auto event = static_cast<lv_event_code_t>(LV_EVENT_REFR_START | LV_EVENT_PREPROCESS);
+  lv_display_add_event_cb(lv_display_get_default(), follow, event, &follower);
+  screen.refresh();
+  lv_arcspan_view_set_scale(follower.view, ARCSPAN_LENGTH(0.5));
+  screen.refresh();
+  const auto pixels = screen.pixels;
+  lv_arcspan_view_update(follower.view);
+  screen.refresh();
+  CHECK((screen.pixels == pixels));
+}
+
 TEST_CASE("the view of a widget is there to pick in, from the first frame on") {
   Screen screen;
   BallScene balls;

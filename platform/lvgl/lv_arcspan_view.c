@@ -117,7 +117,7 @@ static arcspan_status set_camera(lv_arcspan_view_t* view) {
   const lv_arcspan_camera_t* const camera = &view->camera;
   const int32_t width = lv_area_get_width(&picture);
   const int32_t height = lv_area_get_height(&picture);
-  if (width <= 0 || height <= 0 || width > UINT16_MAX || height > UINT16_MAX) return ARCSPAN_INVALID_ARGUMENT;
+  if (width > UINT16_MAX || height > UINT16_MAX) return ARCSPAN_INVALID_ARGUMENT;
   const arcspan_lens lens = {(uint16_t)width, (uint16_t)height, camera->angle,
                              camera->extent,  camera->nearest,  camera->farthest};
   return arcspan_set_camera(view->view, &lens, camera->eye, camera->target, camera->up);
@@ -182,6 +182,8 @@ static void prepare(lv_arcspan_view_t* view) {
     return;
   }
   measure_picture(view);
+  const lv_area_t picture = picture_area(view);
+  if (picture.x2 < picture.x1 || picture.y2 < picture.y1) return;
   view->status = make_view(view);
   if (view->status == ARCSPAN_OK) view->status = set_camera(view);
   const bool is_turned = view->is_turned && view->turned_at == foreign_turns;
@@ -555,6 +557,7 @@ arcspan_status lv_arcspan_view_set_outlines(lv_obj_t* obj, const arcspan_outline
   change(view); /* the frame that may be under way keeps its memory */
   return ARCSPAN_OK;
 #else
+  LV_UNUSED(obj);
   LV_UNUSED(limits);
   LV_UNUSED(ink);
   return ARCSPAN_UNSUPPORTED;

@@ -74,7 +74,7 @@ void lv_arcspan_view_update(lv_obj_t* obj);
 arcspan_view* lv_arcspan_view_get_view(const lv_obj_t* obj);
 
 /* ARCSPAN_OK, or why the last frame is not shown, or a rectangle of it is missing or not as smooth as asked
- * for. */
+ * for; ARCSPAN_NOT_READY without a scene or a content area. */
 arcspan_status lv_arcspan_view_get_status(const lv_obj_t* obj);
 /* How many frames and rectangles have not been drawn since the widget was made. For lack of memory
  * (ARCSPAN_BUFFER_TOO_SMALL) the widget asks for another refresh, which tries again; for another reason after

@@ -699,6 +699,23 @@ TEST_CASE("a hidden view forgets a scene that was taken away") {
 }
 #endif
 
+TEST_CASE("a view without a content area drops no frame, and is drawn again when it has one") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  const auto expected = screen.pixels;
+  lv_obj_set_style_pad_all(view, 200, 0);
+  screen.refresh();
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_NOT_READY);
+  CHECK((screen.pixels != expected));
+  lv_obj_set_style_pad_all(view, 0, 0);
+  screen.refresh();
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
+  CHECK(lv_arcspan_view_get_dropped(view) == 0);
+  CHECK((screen.pixels == expected));
+}
+
 /// Lets LVGL run for half a second.
 void run_timers() {
   for (int i = 0; i < 20; ++i) {

@@ -14,13 +14,14 @@ namespace arcspan {
 /// triangles.
 struct SlopeUnit {
   bool is_sliver;
-  Reciprocal inverse;  ///< of the width, 16 fraction bits
+  std::uint8_t exponent;   ///< of a sliver: the reciprocal of its width, 16 fraction bits
+  std::uint32_t mantissa;  ///< of the same
 
-  constexpr void set(std::uint32_t width, const Reciprocal& inverse_width) {
+  /// Sets the unit of a triangle of this width, and returns its reciprocal; 16 fraction bits.
+  constexpr Reciprocal set(std::uint32_t width, const Reciprocal& inverse) {
     is_sliver = width < std::uint32_t{1} << 16;
-    inverse = inverse_width;
-  }
-  [[nodiscard]] constexpr Reciprocal inverse_unit() const {
+    exponent = static_cast<std::uint8_t>(inverse.exponent);
+    mantissa = inverse.mantissa;
     return is_sliver ? Reciprocal{std::uint32_t{1} << 16, 32} : inverse;
   }
   /// Returns the distance from an edge to the centre of its column in this unit: 16 fraction bits, below 1.
@@ -34,9 +35,9 @@ struct SlopeUnit {
   /// `fine`: the distance in pixels, 32 fraction bits.
   [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t over_width(std::uint32_t fine) const {
     // The fraction of a pixel with 32 bits times `mantissa` 2^-exponent; the width has exponent - 15 bits.
-    const std::uint32_t upper = fine >> (inverse.exponent - 15);
+    const std::uint32_t upper = fine >> (exponent - 15);
     if (upper > 0xFFFFu) return 0xFFFFu;
-    const std::uint32_t fraction = (upper * (inverse.mantissa >> 1)) >> 14;
+    const std::uint32_t fraction = (upper * (mantissa >> 1)) >> 14;
     return fraction < 0xFFFFu ? fraction : 0xFFFFu;
   }
 };

@@ -219,8 +219,7 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   const auto width = static_cast<std::uint32_t>((across < 0 ? -across : across) >> 20);
   frame.width = width < 1 ? 1u : width;
   frame.inverse_width = nonzero_reciprocal(frame.width);
-  command.unit.set(frame.width, frame.inverse_width);
-  frame.inverse_unit = command.unit.inverse_unit();
+  frame.inverse_unit = command.unit.set(frame.width, frame.inverse_width);
 }
 
 }  // namespace detail

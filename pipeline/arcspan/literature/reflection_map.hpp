@@ -92,7 +92,7 @@ struct TabulatedColour {
   }
 
  private:
-  /// 15 fraction bits, saturated below 4 in magnitude, because gradients of slivers have errors.
+  /// 15 fraction bits, saturated below 4 in magnitude.
   [[nodiscard]] static constexpr std::int32_t component(Linear c) {
     constexpr std::int32_t kMost = (std::int32_t{1} << 17) - 1;
     const std::int32_t v = round_shift(c.raw(), Linear::kFraction);

@@ -33,13 +33,13 @@ ARCSPAN_OUTLINE ARCSPAN_COLD [[nodiscard]] constexpr std::int32_t steep_gradient
 
 }  // namespace detail
 
-/// Returns difference / distance, a gradient per pixel or row, saturated at +-kMaxGradient. `difference` is
+/// Returns difference / distance, a gradient per unit or row, saturated at +-kMaxGradient. `difference` is
 /// that of two 16-bit attributes, |difference| < 2^16; `inverse` is the reciprocal of the distance, which has
 /// `bits` fraction bits.
 template <class Value>
 [[nodiscard]] constexpr Value gradient(std::int32_t difference, const Reciprocal& inverse, int bits) {
   // 1/distance = mantissa * 2^(bits - exponent); the product with a 15-bit mantissa fits 32 bits. From the
-  // shift kFlat on, which a distance of at least 1 has, no quotient exceeds the largest gradient.
+  // shift kFlat on, which a distance above 1 has, no quotient exceeds the largest gradient.
   constexpr int kFlat = Value::kFraction < 15 ? 15 - Value::kFraction : 1;
   const std::int32_t product = wrap_mul(difference, static_cast<std::int32_t>(inverse.mantissa >> 1));
   const int shift = inverse.exponent - 1 - bits - Value::kFraction;

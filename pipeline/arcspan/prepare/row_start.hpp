@@ -9,20 +9,18 @@
 
 namespace arcspan {
 
-/// The unit of slopes along rows: a pixel, or the width of a sliver, a triangle narrower than that, whose
-/// rows have one pixel at most and do not step. So slopes are bounded, and slivers as exact as other
-/// triangles.
+/// The unit of slopes along rows: a pixel, or the width of a sliver. That is a triangle narrower than a
+/// pixel, whose rows have one pixel at most and do not step, so that it is as exact as others.
 struct SlopeUnit {
   bool is_sliver;
-  std::uint8_t exponent;   ///< of a sliver: the reciprocal of its width, 16 fraction bits
+  std::uint8_t exponent;   ///< of a sliver: the reciprocal of its width, 32 fraction bits
   std::uint32_t mantissa;  ///< of the same
 
-  /// Sets the unit of a triangle of this width, and returns its reciprocal; 16 fraction bits.
-  constexpr Reciprocal set(std::uint32_t width, const Reciprocal& inverse) {
-    is_sliver = width < std::uint32_t{1} << 16;
-    exponent = static_cast<std::uint8_t>(inverse.exponent);
-    mantissa = inverse.mantissa;
-    return is_sliver ? Reciprocal{std::uint32_t{1} << 16, 32} : inverse;
+  [[nodiscard]] static constexpr SlopeUnit pixel() { return {false, 0, 0}; }
+  /// Returns the unit of a sliver of this width in pixels, 32 fraction bits.
+  [[nodiscard]] static constexpr SlopeUnit sliver(std::uint32_t width) {
+    const Reciprocal inverse = reciprocal(width);
+    return {true, static_cast<std::uint8_t>(inverse.exponent), inverse.mantissa};
   }
   /// Returns the distance from an edge to the centre of its column in this unit: 16 fraction bits, below 1.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t distance(const EdgeWalk& left) const {
@@ -34,9 +32,9 @@ struct SlopeUnit {
  private:
   /// `fine`: the distance in pixels, 32 fraction bits.
   [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t over_width(std::uint32_t fine) const {
-    // The fraction of a pixel with 32 bits times `mantissa` 2^-exponent; the width has exponent - 15 bits.
-    const std::uint32_t upper = fine >> (exponent - 15);
-    if (upper > 0xFFFFu) return 0xFFFFu;
+    const int bits = exponent - 15;  // of the width: 1...32
+    if (bits < 32 && fine >> bits != 0) return 0xFFFFu;
+    const std::uint32_t upper = bits > 16 ? fine >> (bits - 16) : fine << (16 - bits);
     const std::uint32_t fraction = (upper * (mantissa >> 1)) >> 14;
     return fraction < 0xFFFFu ? fraction : 0xFFFFu;
   }

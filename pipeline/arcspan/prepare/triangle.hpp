@@ -216,10 +216,12 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   // In 16ths of a pixel with 32 fraction bits; the product rounded down to whole pixels with 32.
   const std::int64_t across =
       (std::int64_t{middle.x - top.x} << 32) - (scaled(long_walk.step, height) & ~std::int64_t{15});
-  const auto width = static_cast<std::uint32_t>((across < 0 ? -across : across) >> 20);
-  frame.width = width < 1 ? 1u : width;
+  const std::int64_t width = (across < 0 ? -across : across) >> 4;  // 32 fraction bits
+  frame.width = width < 0x10000 ? 1u : static_cast<std::uint32_t>(width >> 16);
   frame.inverse_width = nonzero_reciprocal(frame.width);
-  frame.inverse_unit = command.unit.set(frame.width, frame.inverse_width);
+  const bool is_sliver = width >> 32 == 0;
+  command.unit = is_sliver ? SlopeUnit::sliver(static_cast<std::uint32_t>(width)) : SlopeUnit::pixel();
+  frame.inverse_unit = is_sliver ? Reciprocal{std::uint32_t{1} << 16, 32} : frame.inverse_width;
 }
 
 }  // namespace detail

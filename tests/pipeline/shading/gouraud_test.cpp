@@ -143,14 +143,6 @@ double plane_at(const Triangle& v, const Channel& channel, std::int32_t column, 
   return sum / area;
 }
 
-/// Width in pixels at the middle corner's height.
-double widest_row(const Triangle& v) {
-  const auto [top, bottom] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
-  const double area =
-      std::abs(static_cast<double>(doubled_area(v[0].position, v[1].position, v[2].position)));
-  return bottom == top ? 0 : area / (bottom - top) / 16;
-}
-
 /// A word without the half step that was added, in 8-bit steps.
 double value_of(std::uint32_t word) {
   return static_cast<double>(static_cast<std::int32_t>(word)) / (1 << FineRgb::kFraction) - 0.5;
@@ -159,9 +151,8 @@ double value_of(std::uint32_t word) {
 struct Figures {
   std::uint64_t pixels = 0;
   std::int32_t longest = 0;
-  double error = 0;    ///< of large triangles a pixel wide at least
+  double error = 0;    ///< of large triangles
   double small = 0;    ///< of small triangles, whose gradients have fewer bits
-  double narrow = 0;   ///< of narrower ones, whose widths have few bits
   double outside = 0;  ///< how far values of any triangle leave the three corners' range
 };
 
@@ -186,7 +177,7 @@ Figures measure(Shape shape, const Channel& channel, int triangles, std::uint64_
     stage.draw(v[0], v[1], v[2]);
     SortedVertices<Method> sorted{&v[0], &v[1], &v[2], false};
     arcspan::detail::sort_by_height(sorted);
-    double& error = is_small(sorted) ? figures.small : widest_row(v) < 1 ? figures.narrow : figures.error;
+    double& error = is_small(sorted) ? figures.small : figures.error;
     for (const Span& run : sink.runs()) {
       figures.longest = std::max(figures.longest, run.count);
       for (std::int32_t x = run.x; x < run.x + run.count; ++x) {
@@ -210,14 +201,13 @@ TEST_CASE("Gouraud's unrounded colours are the plane and stay in the corners' ra
   const Channel channel = GENERATE(kRed, kBlue);
   const Figures f = measure(shape, channel, share_of(triangles), 81);
   INFO(channel.name << ", shape " << static_cast<int>(shape) << ": " << f.pixels << " pixels, longest run "
-                    << f.longest << ", error " << f.error << ", of small ones " << f.small
-                    << ", of narrow ones " << f.narrow << ", outside " << f.outside);
+                    << f.longest << ", error " << f.error << ", of small ones " << f.small << ", outside "
+                    << f.outside);
   const bool all = share_of(100) == 100;  // a few triangles need not have the longest runs
   CHECK(f.pixels > (all ? pixels : 0));
   CHECK(f.longest > (all ? longest : 0));
   CHECK(f.error < 0.025);
   CHECK(f.small < 0.15);
-  CHECK(f.narrow < 0.5);
   CHECK(f.outside < 0.02);  // half a step is the room
 }
 

@@ -33,7 +33,7 @@ struct SlopeUnit {
   /// `fine`: the distance in pixels, 32 fraction bits.
   [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t over_width(std::uint32_t fine) const {
     const int bits = exponent - 15;  // of the width: 1...32
-    if (bits < 32 && fine >> bits != 0) return 0xFFFFu;
+    if (bits < 32 && (fine >> bits) != 0) return 0xFFFFu;
     const std::uint32_t upper = bits > 16 ? fine >> (bits - 16) : fine << (16 - bits);
     const std::uint32_t fraction = (upper * (mantissa >> 1)) >> 14;
     return fraction < 0xFFFFu ? fraction : 0xFFFFu;

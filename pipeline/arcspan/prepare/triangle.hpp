@@ -219,7 +219,7 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   const std::int64_t width = (across < 0 ? -across : across) >> 4;  // 32 fraction bits
   frame.width = width < 0x10000 ? 1u : static_cast<std::uint32_t>(width >> 16);
   frame.inverse_width = nonzero_reciprocal(frame.width);
-  const bool is_sliver = width >> 32 == 0;
+  const bool is_sliver = (width >> 32) == 0;
   command.unit = is_sliver ? SlopeUnit::sliver(static_cast<std::uint32_t>(width)) : SlopeUnit::pixel();
   frame.inverse_unit = is_sliver ? Reciprocal{std::uint32_t{1} << 16, 32} : frame.inverse_width;
 }

@@ -159,9 +159,9 @@ class PreparedMaterial : public SceneMaterial {
   constexpr explicit PreparedMaterial(const Lighting& lighting,
                                       const DrawOptions& options = {}) requires(!kIsLit ||
                                                                                 !Used::kChangingLight)
-      : PreparedMaterial(options, lighting) {}
+      : PreparedMaterial(lighting, options, Unchecked{}) {}
   /// Black. A place for make().
-  constexpr PreparedMaterial() : PreparedMaterial(DrawOptions{}, Lighting{}) {}
+  constexpr PreparedMaterial() : PreparedMaterial(Lighting{}, {}, Unchecked{}) {}
 
   [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
   /// Illumination::set_tolerance(), which is kDefaultTolerance after make() and of().
@@ -195,7 +195,8 @@ class PreparedMaterial : public SceneMaterial {
   /// @endcond
 
  private:
-  constexpr PreparedMaterial(const DrawOptions& options, const Lighting& lighting)
+  struct Unchecked {};
+  constexpr PreparedMaterial(const Lighting& lighting, const DrawOptions& options, Unchecked)
       : SceneMaterial(detail::kUseFacts<Used>, options), lighting_(lighting) {}
 
   struct Nothing {};
@@ -268,7 +269,7 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
   Status status = Illumination::make(detail::under(lights.ambient, material), all, kAhead, illumination);
   if (ok(status)) status = illumination.set_tolerance(kDefaultTolerance);
   if (!ok(status)) return status;
-  prepared = PreparedMaterial(options, Lighting(illumination));
+  prepared = PreparedMaterial(Lighting(illumination), options, Unchecked{});
   prepared.made_for_.ambient = lights.ambient;
   if constexpr (kSingleLight) {
     prepared.made_for_.weights = detail::channel_weights(all[0]);

@@ -16,7 +16,7 @@
 namespace arcspan::tools {
 namespace {
 
-/// Vertices that are posed at most, which take about a second.
+/// Vertices that are posed for all clips together, aimed at.
 constexpr std::size_t kMostCheckedVertices = 2'000'000;
 
 /// A vertex of the rig and how many joints it follows when its weights are stored, the first ones.
@@ -72,9 +72,11 @@ void check_joints_are_near(const FixedModel& model, const std::string& subject) 
       if (!joint) continue;
       const std::size_t node = rig.skins[*rig.instances[vertex.instance].skin].joints[*joint];
       throw Failure(
-          subject, "the node " + std::to_string(node) + " '" + rig.nodes[node].name +
-                       "' takes a vertex of other joints, too, 4 times as far as the model's extent " + when +
-                       "; --pose leaves the nodes out");
+          subject,
+          "the node " + std::to_string(node) + " '" + rig.nodes[node].name +
+              "' moves a vertex that it shares with other joints 4 extents of the model away from it "
+              "or from where they move it, " +
+              when + "; --pose leaves the nodes out");
     }
   };
   if (shared.empty()) return;

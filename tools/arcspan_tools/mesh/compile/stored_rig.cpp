@@ -172,30 +172,43 @@ void extend_by_morphs(Box& box, const Rig& rig, const std::vector<Affine>& place
   for (const double sign : {-1.0, 1.0}) extend(box, middle + Vec3{sign, 0, 0} * most_added);
 }
 
-/// Rest and some moments of all clips, at most `most` of a clip.
-std::vector<RigMoment> moments_of(const Rig& rig, std::size_t most) {
-  std::vector<RigMoment> moments = {{}};
+using Moments = std::vector<RigMoment>;
+
+/// Some moments of each clip, and rest.
+std::vector<Moments> moments_of(const Rig& rig) {
+  constexpr std::size_t kMost = 8;  // of a clip
+  std::vector<Moments> clips = {{{}}};
   for (const RigClip& clip : rig.clips) {
-    for (const double time : times_between(key_times(clip), 1, most)) moments.push_back({&clip, time});
+    Moments moments;
+    for (const double time : times_between(key_times(clip), 1, kMost)) moments.push_back({&clip, time});
+    clips.push_back(moments);
   }
-  return moments;
+  return clips;
 }
 
-/// Makes `box` hold the vertices on the way between moments of clips, where fades take them.
-void extend_by_fades(Box& box, const Model& model) {
-  constexpr std::size_t kMostPosed = 1'000'000;
-  constexpr std::size_t kMostMoments = 8;  // of a clip
-  const std::size_t most = std::max<std::size_t>(kMostPosed / model.vertex_count(), 64);
-  const std::vector<RigMoment> moments = moments_of(*model.rig, kMostMoments);
-  const std::size_t pairs = moments.size() * moments.size();
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < pairs; ++i) {
-    const std::size_t from = i / moments.size();
-    const std::size_t to = i % moments.size();
-    if (to <= from || i < next) continue;
-    next = i + 1 + pairs / most;
+/// Makes `box` hold the vertices in fades from moments of one clip to moments of another, of `most` pairs.
+void extend_by_fades(Box& box, const Model& model, const Moments& from, const Moments& to, std::size_t most) {
+  const std::size_t all = from.size() * to.size();
+  const std::size_t taken = std::min(all, most);
+  for (std::size_t i = 0; i < taken; ++i) {
+    const std::size_t pair = i * all / taken;
+    const std::size_t row = pair / to.size();
+    // Each row begins with another column, so that few pairs have all moments of both.
+    const RigMoment& other = to[(pair + row) % to.size()];
     for (const double weight : {0.25, 0.5, 0.75})
-      extend(box, model, faded_pose(*model.rig, moments[from], moments[to], weight));
+      extend(box, model, faded_pose(*model.rig, from[row], other, weight));
+  }
+}
+
+/// Makes `box` hold the vertices in some fades between all clips, each with each and with itself.
+void extend_by_fades(Box& box, const Model& model) {
+  constexpr std::size_t kMostPosed = 1'000'000;  // vertices and nodes, aimed at
+  const std::vector<Moments> clips = moments_of(*model.rig);
+  const std::size_t pairs = clips.size() * (clips.size() + 1) / 2;
+  const std::size_t most = kMostPosed / (model.vertex_count() + model.rig->nodes.size()) / pairs;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    for (std::size_t k = i; k < clips.size(); ++k)
+      extend_by_fades(box, model, clips[i], clips[k], std::max<std::size_t>(most, 1));
   }
 }
 

@@ -31,7 +31,7 @@ bool prepare(const MeshView& mesh, const typename Method::Lighting& lighting, co
     v[i].shade = Method::shade_vertex(lighting, unpack_normal(mesh.normal(i)));
     if constexpr (TakesVertexData<Method>) Method::set_vertex_data(mesh, i, v[i].shade);
   }
-  v[2].shade = Method::between(v[1].shade, v[2].shade, Factor::from_raw(face.x.raw()));
+  v[2].shade = Method::between(v[1].shade, v[2].shade, CutFraction{face.x.raw()});
   if constexpr (DrawsSmallTriangles<Method>) {
     typename Method::Small part;
     if (Method::prepare_small(lighting, v[0], v[1], v[2], Method::shade_face(lighting, face), small, part))

@@ -83,21 +83,14 @@ ARCSPAN_OUTLINE ARCSPAN_COLD constexpr void cut(const ClipVertex<Method>& inside
                                                 const ClipVertex<Method>& outside,
                                                 std::int32_t inside_distance, std::int32_t outside_distance,
                                                 ClipVertex<Method>& vertex) {
-  // t = inside / (inside - outside), 30 fraction bits. The difference is below 2^32.
-  const std::uint32_t whole =
-      static_cast<std::uint32_t>(inside_distance) - static_cast<std::uint32_t>(outside_distance);
-  const WideReciprocal inverse = wide_reciprocal(whole);
-  const std::int64_t t = static_cast<std::int64_t>(
-      (std::uint64_t{static_cast<std::uint32_t>(inside_distance)} * inverse.mantissa) >>
-      (inverse.exponent - 30));
-  const auto mix = [t](std::int32_t from, std::int32_t to) {
-    return static_cast<std::int32_t>(from +
-                                     (((std::int64_t{to} - from) * t + (std::int32_t{1} << 29)) >> 30));
-  };
-  vertex.position = {mix(inside.position.x, outside.position.x), mix(inside.position.y, outside.position.y),
-                     mix(inside.position.w, outside.position.w)};
-  vertex.shade =
-      Method::between(inside.shade, outside.shade, Factor::from_raw(static_cast<std::int32_t>(t >> 15)));
+  // t = inside / (inside - outside). The difference is below 2^32.
+  const auto within = static_cast<std::uint32_t>(inside_distance);
+  const WideReciprocal per = wide_reciprocal(within - static_cast<std::uint32_t>(outside_distance));
+  const CutFraction t{static_cast<std::int32_t>(std::uint64_t{within} * per.mantissa >> (per.exponent - 30))};
+  const ClipPosition& from = inside.position;
+  const ClipPosition& to = outside.position;
+  vertex.position = {t.between(from.x, to.x), t.between(from.y, to.y), t.between(from.w, to.w)};
+  vertex.shade = Method::between(inside.shade, outside.shade, t);
 }
 
 }  // namespace detail
@@ -123,11 +116,8 @@ constexpr void ClipPolygon<Method>::clip(ClipOutcode plane, const WRange& w_rang
       ++kept;
     }
     if ((d0 >= 0) != (d1 >= 0) && kept <= i + 1) {
-      if (d0 >= 0) {
-        detail::cut(here, next, d0, d1, vertices_[write]);
-      } else {
-        detail::cut(next, here, d1, d0, vertices_[write]);
-      }
+      const bool out = d0 >= 0;
+      detail::cut(out ? here : next, out ? next : here, out ? d0 : d1, out ? d1 : d0, vertices_[write]);
       write = wrapped(write + 1);
       ++kept;
     }

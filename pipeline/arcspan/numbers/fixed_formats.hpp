@@ -23,6 +23,16 @@ using Cosine = Fixed<std::int32_t, 30>;
 /// below 2 in magnitude, so that a product of two fits 32 bits (one 16x16 multiply).
 using Factor = Fixed<std::int32_t, 15>;
 
+/// Where an edge is cut, 0...1. A Factor would move a texture by half a texel per 16,384 along the edge.
+struct CutFraction {
+  std::int32_t raw;  ///< 30 fraction bits
+
+  constexpr operator Factor() const { return Factor::from_raw(raw >> 15); }
+  [[nodiscard]] constexpr std::int32_t between(std::int32_t a, std::int32_t b) const {
+    return static_cast<std::int32_t>(a + (((std::int64_t{b} - a) * raw + (std::int32_t{1} << 29)) >> 30));
+  }
+};
+
 /// Component of a unit normal, 2.14 in 16 bits: [-1, 1].
 using NormalComponent = Fixed<std::int16_t, 14>;
 

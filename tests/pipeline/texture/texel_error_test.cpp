@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where texels are shown: against double precision, over random triangles.
+#include <arcspan/clip/clip_polygon.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
 
 #include <catch2/catch.hpp>
@@ -138,6 +139,31 @@ TEST_CASE("no pixel shows a point of the texture more than half a texel away") {
   CHECK(texels(largest_errors<Plain>(6, 10 * count, 12, 4, 200, 7, 7)) <= 0.5);
   CHECK(texels(largest_errors<Plain>(7, count / 4, 1000, 3, 500, 7, 7)) <= 0.5);
   CHECK(texels(largest_errors<Plain>(8, count / 4, 1000, 1, 1000, 10, 3)) <= 0.5);
+}
+
+TEST_CASE("a cut edge keeps the texture where it is, however many texels it spans") {
+  Random random(9);
+  const WRange planes{1 << 12, 1 << 30};
+  std::int32_t worst = 0;  // in 65536ths of a repetition, 64 of which are a texel of 1024
+  int cuts = 0;
+  for (int i = 0; i < test::share_of(20000); ++i) {
+    ClipPolygon<Plain> polygon;
+    // A large floor, on which u and v are proportional to x and w: 64 repetitions in both directions.
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto any = [&] { return static_cast<std::int32_t>(random.integer(-32768, 32767)) * 8192; };
+      polygon[k].position = {any(), random.integer(1 << 13, 1 << 20), any()};
+      polygon[k].shade.point = {polygon[k].position.x >> 7, polygon[k].position.w >> 7};
+    }
+    clip_polygon(polygon, planes);
+    for (std::size_t k = 0; k < polygon.count(); ++k) {
+      const auto& [position, shade] = polygon[k];
+      worst = std::max(
+          {worst, std::abs(shade.point.u - (position.x >> 7)), std::abs(shade.point.v - (position.w >> 7))});
+      ++cuts;
+    }
+  }
+  CHECK(cuts > test::share_of(10000));
+  CHECK(worst <= 4);
 }
 
 TEST_CASE("where one side of a texture repeats often, the other one is as exact as without") {

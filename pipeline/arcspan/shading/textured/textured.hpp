@@ -323,12 +323,8 @@ struct Textured : Method {
     const int shift = 16 - mesh.texture_scale().fraction_bits;
     vertex.point = {wrap_shl(point.u, shift), wrap_shl(point.v, shift)};
   }
-  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, Factor t) {
-    const auto mix = [t](std::int32_t from, std::int32_t to) {
-      const std::int64_t part = (std::int64_t{to} - from) * t.raw();
-      return static_cast<std::int32_t>(from + ((part + (1 << 14)) >> 15));
-    };
-    return {Light::between(a, b, t), {mix(a.point.u, b.point.u), mix(a.point.v, b.point.v)}};
+  [[nodiscard]] static constexpr Vertex between(const Vertex& a, const Vertex& b, CutFraction t) {
+    return {Light::between(a, b, t), {t.between(a.point.u, b.point.u), t.between(a.point.v, b.point.v)}};
   }
 
   template <class Frame>

@@ -141,6 +141,32 @@ TEST_CASE("no pixel shows a point of the texture more than half a texel away") {
   CHECK(texels(largest_errors<Plain>(8, count / 4, 1000, 1, 1000, 10, 3)) <= 0.5);
 }
 
+TEST_CASE("where texels are larger than pixels, none is shown more than 2.5 pixels away") {
+  constexpr unsigned kBits = 3;
+  Random random(10);
+  const Plain::Lighting lighting = lighting_of<Plain>(kBits, kBits);
+  double worst = 0;
+  int pixels = 0;
+  for (int i = 0; i < test::share_of(200); ++i) {
+    const MappedTriangle<Plain> triangle = random_triangle<Plain>(random, 240, 2, 1);
+    for_each_pixel(triangle, lighting, 240, [&](std::int32_t x, std::int32_t y, const auto& run) {
+      const auto [u, v, level] = triangle.at(x, y);
+      const auto right = triangle.at(x + 1, y);
+      const auto below = triangle.at(x, y + 1);
+      const auto check = [&](std::uint32_t shown, double wanted, double to_right, double to_below) {
+        const double per_pixel = std::hypot(to_right - wanted, to_below - wanted) * (1 << kBits);
+        worst = std::max(worst, texels_off(shown, wanted, kBits) / per_pixel);
+      };
+      check(run.steps().u(), u, right.u, below.u);
+      check(run.steps().v(), v, right.v, below.v);
+      ++pixels;
+    });
+  }
+  CAPTURE(worst);
+  CHECK(pixels > test::share_of(100000));
+  CHECK(worst <= 2.5);
+}
+
 TEST_CASE("a cut edge keeps the texture where it is, however many texels it spans") {
   Random random(9);
   const WRange planes{1 << 12, 1 << 30};

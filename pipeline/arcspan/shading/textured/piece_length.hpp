@@ -54,7 +54,10 @@ struct PerspectiveSlope {
   // All as Linear; the product of the slope is 2^-28 of what it stands for.
   const std::int32_t square = kLimit + 3 * low_log2(static_cast<std::uint32_t>(least_q)) - 256 * 28 -
                               (low_log2(dq) + kLogError) - slope;
-  const std::int32_t log = square >> 1;
+  // The error in pixels, n^2/4 |q'| / q, stays below 1, which is less where texels are larger than pixels.
+  const std::int32_t of_pixels =
+      512 + low_log2(static_cast<std::uint32_t>(least_q)) - low_log2(dq) - kLogError;
+  const std::int32_t log = (square < of_pixels ? square : of_pixels) >> 1;
   if (log < 0) return 0;
   if (log >= 7 * 256) return static_cast<std::uint8_t>(kLongestPiece);
   // 2^m is at least 1 + m ln 2, and at least 1 + m - 0.0861.

@@ -312,6 +312,14 @@ template <class Steps>
   return texels * near_over_w.range() <= std::uint64_t{28} * static_cast<std::uint32_t>(near_over_w.least);
 }
 
+/// True if linear mapping moves texels by at most a pixel: d (r - 1) / 4, if d is the extent in pixels. Where
+/// texels are larger than pixels, half a texel is more.
+[[nodiscard]] constexpr bool is_linear_within_a_pixel(std::uint32_t width, std::uint32_t height,
+                                                      const Extent& near_over_w) {
+  const std::uint64_t extent = width > height ? width : height;  // 4 fraction bits
+  return extent * near_over_w.range() <= std::uint64_t{64} * static_cast<std::uint32_t>(near_over_w.least);
+}
+
 }  // namespace detail
 
 /// Prepares the texture of a triangle, and its light if `levels` has some and `piece` becomes 0. `corners`
@@ -336,8 +344,10 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   t.u_origin = detail::word_of<Steps>(least.u, t);
   t.v_origin = detail::word_of<Steps>(least.v, t);
   t.middle_left = frame.middle_left;
+  const detail::Extent x(frame.top->position.x, frame.middle->position.x, frame.bottom->position.x);
   const detail::TextureShifts shifts(u.range(), v.range());
-  if (!detail::is_nearly_linear(t, u.range(), v.range(), w) ||
+  if (!detail::is_linear_within_a_pixel(x.range(), static_cast<std::uint32_t>(frame.long_edge.dy), w) ||
+      !detail::is_nearly_linear(t, u.range(), v.range(), w) ||
       !detail::prepare_linearly<Steps>(frame, corners, levels, least, shifts, t)) {
     detail::prepare_in_perspective<Steps>(frame, corners, least, shifts, w, t);
   }

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/cursor.hpp>
-#include <arcspan/pixel/pixel_format.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
@@ -19,16 +17,7 @@ struct Bgr8 {
 };
 
 /// 24 bits per pixel: three bytes b, g, r, as in Windows bitmaps, in DRM's RGB888 and in LVGL's.
-struct Bgr888 {
-  using Encoded = Bgr8;
-  using Word = Bgr8;
-  using Cursor = WordCursor<Bgr8>;
-  static constexpr unsigned kBitsPerPixel = 24;
-  static constexpr bool kDithers = false;
-
-  [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
-    return static_cast<std::size_t>(width);
-  }
+struct Bgr888 : WordPixels<Bgr8> {
   [[nodiscard]] static constexpr Encoded encode(Rgb8 c) { return {c.b, c.g, c.r}; }
   [[nodiscard]] static constexpr Encoded encode_dithered(Rgb8 c, std::int32_t, std::int32_t) {
     return encode(c);

@@ -2,24 +2,13 @@
 #pragma once
 
 #include <arcspan/pixel/cursor.hpp>
-#include <arcspan/pixel/pixel_format.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
 
 /// 8 bits per pixel, rrrgggbb in a byte.
-struct Rgb332 {
-  using Encoded = std::uint8_t;
-  using Word = std::uint8_t;
-  using Cursor = WordCursor<std::uint8_t>;
-  static constexpr unsigned kBitsPerPixel = 8;
-  static constexpr bool kDithers = false;
-
-  [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
-    return static_cast<std::size_t>(width);
-  }
+struct Rgb332 : WordPixels<std::uint8_t> {
   [[nodiscard]] static constexpr Encoded encode(Rgb8 c) {
     return static_cast<Encoded>((c.r & 0xE0u) | ((c.g & 0xE0u) >> 3) | (c.b >> 6));
   }

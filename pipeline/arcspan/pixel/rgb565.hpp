@@ -3,29 +3,18 @@
 
 #include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/cursor.hpp>
-#include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
 
 /// 16 bits per pixel, rrrrrggggggbbbbb in a native word. Most colour panels take this format, big-endian on
 /// the wire.
-struct Rgb565 {
-  using Encoded = std::uint16_t;
-  using Word = std::uint16_t;
-  using Cursor = WordCursor<std::uint16_t>;
-  static constexpr unsigned kBitsPerPixel = 16;
-  static constexpr bool kDithers = false;
-
+struct Rgb565 : WordPixels<std::uint16_t> {
   /// The word rrrrrggg gggbbbbb of a pixel, on which blending computes, and its own inverse.
   [[nodiscard]] static constexpr std::uint16_t word565(std::uint16_t v) { return v; }
-  [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
-    return static_cast<std::size_t>(width);
-  }
   [[nodiscard]] static constexpr Encoded encode(Rgb8 c) {
     return static_cast<Encoded>(((c.r & 0xF8u) << 8) | ((c.g & 0xFCu) << 3) | (c.b >> 3));
   }

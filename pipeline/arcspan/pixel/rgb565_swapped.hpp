@@ -2,11 +2,9 @@
 #pragma once
 
 #include <arcspan/pixel/cursor.hpp>
-#include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/target.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
@@ -14,19 +12,10 @@ namespace arcspan {
 /// Rgb565 with its two bytes exchanged. On a little-endian processor the memory then has the bytes that a
 /// panel of 16-bit colours takes: whole rows of a frame are sent as they are by hal::Panel::start_write().
 /// LVGL calls it RGB565_SWAPPED.
-struct Rgb565Swapped {
-  using Encoded = std::uint16_t;
-  using Word = std::uint16_t;
-  using Cursor = WordCursor<std::uint16_t>;
-  static constexpr unsigned kBitsPerPixel = 16;
-  static constexpr bool kDithers = false;
-
+struct Rgb565Swapped : WordPixels<std::uint16_t> {
   /// The word of a pixel in Rgb565, and its own inverse.
   [[nodiscard]] static constexpr std::uint16_t word565(std::uint16_t v) {
     return static_cast<std::uint16_t>((v << 8) | (v >> 8));
-  }
-  [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
-    return static_cast<std::size_t>(width);
   }
   [[nodiscard]] static constexpr Encoded encode(Rgb8 c) { return word565(Rgb565::encode(c)); }
   template <class C>

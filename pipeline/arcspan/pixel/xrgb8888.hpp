@@ -2,25 +2,14 @@
 #pragma once
 
 #include <arcspan/pixel/cursor.hpp>
-#include <arcspan/pixel/pixel_format.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
 
 /// 32 bits per pixel, 0xUURRGGBB in a native word, where U is `Upper`.
 template <std::uint8_t Upper>
-struct Rgb32 {
-  using Encoded = std::uint32_t;
-  using Word = std::uint32_t;
-  using Cursor = WordCursor<std::uint32_t>;
-  static constexpr unsigned kBitsPerPixel = 32;
-  static constexpr bool kDithers = false;
-
-  [[nodiscard]] static constexpr std::size_t words_per_row(std::int32_t width) {
-    return static_cast<std::size_t>(width);
-  }
+struct Rgb32 : WordPixels<std::uint32_t> {
   [[nodiscard]] static constexpr Encoded encode(Rgb8 c) {
     return (std::uint32_t{Upper} << 24) | (std::uint32_t{c.r} << 16) | (std::uint32_t{c.g} << 8) | c.b;
   }

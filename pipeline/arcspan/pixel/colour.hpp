@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/numbers/integer.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -30,6 +29,8 @@ struct PackedRgb {
   [[nodiscard]] static constexpr PackedRgb of(std::uint32_t r, std::uint32_t g, std::uint32_t b) {
     return {(g << 22) | (r << 11) | b};
   }
+  /// Channels of 8 bits, with the half step.
+  [[nodiscard]] static constexpr PackedRgb of(Rgb8 c) { return of(4u * c.r + 2, 4u * c.g + 2, 4u * c.b + 2); }
   [[nodiscard]] constexpr Rgb8 rgb8() const {
     return {static_cast<std::uint8_t>(lanes >> 13), static_cast<std::uint8_t>(lanes >> 24),
             static_cast<std::uint8_t>(lanes >> 2)};

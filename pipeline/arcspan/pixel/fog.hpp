@@ -57,7 +57,7 @@ class Fog {
       const std::uint32_t both = at(first) + at(first + (std::uint32_t{1} << octave) - 1);
       fog.shares_[i] = static_cast<std::uint8_t>((both * 255 + (1u << kShareBits)) >> (kShareBits + 1));
     }
-    fog.colour_ = PackedRgb::of(4u * colour.r + 2, 4u * colour.g + 2, 4u * colour.b + 2);
+    fog.colour_ = PackedRgb::of(colour);
     fog.spread_ = detail::spread(detail::colour565(fog.colour_));
     return Status::kOk;
   }

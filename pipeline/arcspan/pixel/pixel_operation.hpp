@@ -3,6 +3,7 @@
 
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/dither.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/spread_rgb565.hpp>
 #include <arcspan/target.hpp>
 
@@ -29,14 +30,10 @@ template <class C>
   else
     return c.packed();
 }
+/// The same as a pixel of 5-6-5 bits.
 template <class C>
 [[nodiscard]] constexpr std::uint16_t colour565(const C& c) {
-  if constexpr (requires { c.rgb565(); }) {
-    return c.rgb565();
-  } else {
-    const Rgb8 rgb = packed_colour(c).rgb8();
-    return static_cast<std::uint16_t>(((rgb.r & 0xF8u) << 8) | ((rgb.g & 0xFCu) << 3) | (rgb.b >> 3));
-  }
+  return encode_at<Rgb565>(c, 0, 0);
 }
 
 /// The colour whose channels are function(channel of a, channel of b), all 0...1023.

@@ -22,10 +22,8 @@ struct Unlit {
   template <class Frame>
   static constexpr void prepare(const Lighting&, const Frame&, const Face&, Prepared&) {}
 
-  /// The Lighting that draws in `colour`: each channel with the half step that PackedRgb includes.
-  [[nodiscard]] static constexpr Lighting lighting(Rgb8 colour) {
-    return PackedRgb::of(4u * colour.r + 2, 4u * colour.g + 2, 4u * colour.b + 2);
-  }
+  /// The Lighting that draws in `colour`.
+  [[nodiscard]] static constexpr Lighting lighting(Rgb8 colour) { return PackedRgb::of(colour); }
 
   struct Run {
     [[nodiscard]] constexpr PackedRgb colour(const Lighting& lighting) const { return lighting; }

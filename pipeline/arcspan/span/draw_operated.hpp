@@ -34,9 +34,7 @@ template <class Format, class Shade>
   } else if constexpr (!Format::kDithers && Rgb565Words<Format>) {
     return Format::word565(colour.over565(Format::word565(below)));
   } else {
-    const Rgb8 rgb = Format::decode(below);
-    return encode_at<Format>(colour.over(PackedRgb::of(4u * rgb.r + 2, 4u * rgb.g + 2, 4u * rgb.b + 2)), x,
-                             y);
+    return encode_at<Format>(colour.over(PackedRgb::of(Format::decode(below))), x, y);
   }
 }
 

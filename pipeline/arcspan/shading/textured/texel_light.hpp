@@ -3,6 +3,7 @@
 
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/spread_rgb565.hpp>
 #include <arcspan/target.hpp>
 
@@ -20,17 +21,6 @@ enum class TexelLight : std::uint8_t {
 };
 
 namespace detail {
-
-/// A channel of a texel as 8 bits, from its 5 or 6.
-[[nodiscard]] constexpr std::uint32_t texel_red(std::uint32_t rgb565) {
-  return ((rgb565 >> 8) & 0xF8u) | (rgb565 >> 13);
-}
-[[nodiscard]] constexpr std::uint32_t texel_green(std::uint32_t rgb565) {
-  return ((rgb565 >> 3) & 0xFCu) | ((rgb565 >> 9) & 3u);
-}
-[[nodiscard]] constexpr std::uint32_t texel_blue(std::uint32_t rgb565) {
-  return ((rgb565 << 3) & 0xF8u) | ((rgb565 >> 2) & 7u);
-}
 
 /// texel * light for a channel: 8 bits times a PackedRgb channel, as a PackedRgb channel.
 [[nodiscard]] constexpr std::uint32_t lit_channel(std::uint32_t texel, std::uint32_t light) {
@@ -50,10 +40,7 @@ struct UnlitTexel {
   ARCSPAN_INLINE constexpr UnlitTexel(const UnlitTexel& other) : texel(other.texel) {}
 
   [[nodiscard]] constexpr std::uint16_t rgb565() const { return static_cast<std::uint16_t>(texel); }
-  [[nodiscard]] constexpr PackedRgb packed() const {
-    return PackedRgb::of(4 * detail::texel_red(texel) + 2, 4 * detail::texel_green(texel) + 2,
-                         4 * detail::texel_blue(texel) + 2);
-  }
+  [[nodiscard]] constexpr PackedRgb packed() const { return PackedRgb::of(Rgb565::decode(rgb565())); }
 };
 
 /// The level of grey light, 0...64, rounded.
@@ -115,9 +102,10 @@ struct LitTexel {
     const std::uint32_t green = parts.diffuse.lanes >> 22;
     const std::uint32_t red = kGrey ? green : (parts.diffuse.lanes >> 11) & 1023u;
     const std::uint32_t blue = kGrey ? green : parts.diffuse.lanes & 1023u;
-    const PackedRgb lit = PackedRgb::of(detail::lit_channel(detail::texel_red(texel), red),
-                                        detail::lit_channel(detail::texel_green(texel), green),
-                                        detail::lit_channel(detail::texel_blue(texel), blue));
+    const Rgb8 unlit = Rgb565::decode(texel);
+    const PackedRgb lit =
+        PackedRgb::of(detail::lit_channel(unlit.r, red), detail::lit_channel(unlit.g, green),
+                      detail::lit_channel(unlit.b, blue));
     return lit.plus(parts.highlight);
   }
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/mixed_pixels.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
-#include <arcspan/pixel/spread_rgb565.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
@@ -34,17 +34,10 @@ template <PixelFormat F>
 [[nodiscard]] ARCSPAN_INLINE constexpr typename F::Encoded blended(typename F::Encoded pixel,
                                                                    typename F::Encoded other,
                                                                    std::uint32_t share) {
-  if constexpr (Rgb565Words<F>) {
-    return F::word565(joined(mixed_spread(spread(F::word565(pixel)), spread(F::word565(other)), share)));
-  } else if constexpr (requires { requires F::kHasAlpha; }) {
+  if constexpr (requires { requires F::kHasAlpha; }) {
     return blended_with_alpha(pixel, other, share);
   } else {
-    const auto mixed = [share](std::uint32_t a, std::uint32_t b) {
-      return static_cast<std::uint8_t>((a * (32 - share) + b * share + 16) >> 5);
-    };
-    const Rgb8 a = F::decode(pixel);
-    const Rgb8 b = F::decode(other);
-    return F::encode(Rgb8{mixed(a.r, b.r), mixed(a.g, b.g), mixed(a.b, b.b)});
+    return mixed_pixels<F>(pixel, other, share);
   }
 }
 

@@ -4,7 +4,6 @@
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 
 #include <cstdint>
 

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <arcspan/overlay/area.hpp>
-#include <arcspan/overlay/mixed_colour.hpp>
+#include <arcspan/pixel/mixed_pixels.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 #include <arcspan/texture/texel_formats.hpp>
 #include <arcspan/texture/texture.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -97,7 +95,7 @@ constexpr void put_texel(typename F::Cursor& cursor, std::uint16_t stored) {
     encoded = F::encode(Rgb565::decode(colour));
   if constexpr (Colour::kAlphaBits > 1) {
     const std::uint32_t alpha = Colour::alpha(stored);
-    if (alpha < 16) encoded = MixedColour<F>(encoded).over(cursor.read(), 2 * alpha);
+    if (alpha < 16) encoded = arcspan::detail::mixed_pixels<F>(cursor.read(), encoded, 2 * alpha);
   }
   cursor.write(encoded);
 }

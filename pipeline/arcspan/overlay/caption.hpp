@@ -7,7 +7,6 @@
 #include <arcspan/overlay/utf8.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 
 #include <concepts>
 #include <cstdint>

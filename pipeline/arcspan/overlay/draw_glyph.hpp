@@ -4,7 +4,7 @@
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/overlay/area.hpp>
 #include <arcspan/overlay/font.hpp>
-#include <arcspan/overlay/mixed_colour.hpp>
+#include <arcspan/pixel/mixed_pixels.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
@@ -71,6 +71,12 @@ struct BitOutline {
   }
 };
 
+/// A mask that returns several pixels at once, a bit each; others return the coverage of one.
+template <class M>
+concept MaskOfBits = requires {
+  M::kColumns;
+};
+
 /// The part of a glyph's box, with the margin of a mask around it, that lies within `clip`. It is relative to
 /// the upper left pixel of the box, which is at `at`.
 template <class Mask>
@@ -82,7 +88,7 @@ template <class Mask>
 }
 
 /// Writes the pixels of a glyph by a mask of bits, run by run; `at` is the upper left pixel of its box.
-template <class Mask, PixelSink Sink>
+template <MaskOfBits Mask, PixelSink Sink>
 [[nodiscard]] constexpr Status draw_glyph(Sink& sink, const Mask& mask, Point at, const Rect& clip,
                                           typename Sink::Format::Encoded colour) {
   const Rect part = part_within<Mask>(clip, at, mask.glyph);
@@ -142,11 +148,12 @@ struct CoverageOutline {
 /// Mixes the covered pixels of a run of at most 32 pixels; `coverage` has them in its order.
 template <PixelSink Sink>
 [[nodiscard]] constexpr Status mix_run(Sink& sink, const Span& run, const std::uint8_t* coverage,
-                                       const MixedColour<typename Sink::Format>& colour) {
-  typename Sink::Format::Cursor cursor = sink.open(run);
+                                       typename Sink::Format::Encoded colour) {
+  using Format = typename Sink::Format;
+  typename Format::Cursor cursor = sink.open(run);
   for (std::int32_t i = 0; i < run.count; ++i, cursor.next()) {
     const std::uint32_t share = (coverage[i] * 34u + 8) >> 4;  // 0...15 to 0...32
-    cursor.write(colour.over(cursor.read(), share));
+    cursor.write(arcspan::detail::mixed_pixels<Format>(cursor.read(), colour, share));
   }
   return sink.close(run);
 }
@@ -154,7 +161,7 @@ template <PixelSink Sink>
 /// Mixes the pixels of a glyph by a mask of coverages, run by run; `at` is the upper left pixel of its box.
 template <class Mask, PixelSink Sink>
 [[nodiscard]] constexpr Status draw_glyph(Sink& sink, const Mask& mask, Point at, const Rect& clip,
-                                          const MixedColour<typename Sink::Format>& colour) {
+                                          typename Sink::Format::Encoded colour) {
   constexpr std::int32_t kMost = 32;
   std::uint8_t coverage[kMost];
   const Rect part = part_within<Mask>(clip, at, mask.glyph);

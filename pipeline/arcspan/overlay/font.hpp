@@ -3,7 +3,6 @@
 
 #include <arcspan/overlay/utf8.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -5,7 +5,6 @@
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 
 #include <cstdint>
 

@@ -6,7 +6,6 @@
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 #include <arcspan/vertex/rotation.hpp>
 

@@ -6,9 +6,7 @@
 #include <arcspan/pixel/fill.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan::overlay {
@@ -22,14 +20,8 @@ template <PixelSink Sink>
   if (rect.empty()) return Status::kOk;
   for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
     const Span run{y, rect.left, rect.width()};
-    Status status = Status::kOk;
-    if constexpr (requires(typename Sink::Format::Cursor cursor) { cursor.pixels(); }) {
-      fill(sink.open(run).pixels(), static_cast<std::size_t>(run.count), encoded);
-      status = sink.close(run);
-    } else {
-      status = fill_run(sink, run, encoded);
-    }
-    if (!ok(status)) return status;
+    fill_pixels(sink.open(run), run.count, encoded);
+    if (const Status status = sink.close(run); !ok(status)) return status;
   }
   return Status::kOk;
 }

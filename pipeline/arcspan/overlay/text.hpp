@@ -9,7 +9,6 @@
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -38,15 +37,13 @@ namespace detail {
 /// Draws the glyphs of lines in one colour: their pixels or, if `Outlined`, their outlines.
 template <bool Outlined, PixelSink Sink, unsigned Bits>
 struct GlyphPass {
-  using Colour =
-      std::conditional_t<Bits == 1, typename Sink::Format::Encoded, MixedColour<typename Sink::Format>>;
   using Mask = std::conditional_t<Bits == 1, std::conditional_t<Outlined, BitOutline, BitMask>,
                                   std::conditional_t<Outlined, CoverageOutline, CoverageMask>>;
 
   Sink& sink;
   const Font<Bits>& font;
   const Rect& clip;
-  Colour colour;
+  typename Sink::Format::Encoded colour;
 
   /// Draws the line whose pen begins at column at.x and whose top is row at.y.
   [[nodiscard]] constexpr Status operator()(Utf8Text line, Point at) const {
@@ -86,17 +83,17 @@ template <PixelSink Sink, unsigned Bits, TextStyle Style, class Lines>
   using Ink = GlyphPass<false, Sink, Bits>;
   if (const Status status = status_of(sink); !ok(status)) return status;
   if constexpr (std::same_as<Style, Rgb8>) {
-    return lines.draw(Ink{sink, font, clip, typename Ink::Colour(Format::encode(style))});
+    return lines.draw(Ink{sink, font, clip, Format::encode(style)});
   } else {
     Status status = Status::kOk;
     if constexpr (std::same_as<Style, OutlinedText>) {
       using Outline = GlyphPass<true, Sink, Bits>;
-      status = lines.draw(Outline{sink, font, clip, typename Outline::Colour(Format::encode(style.outline))});
+      status = lines.draw(Outline{sink, font, clip, Format::encode(style.outline)});
     } else {
       status = lines.draw(BackgroundPass<Sink, Bits>{sink, font, clip, Format::encode(style.background)});
     }
     if (!ok(status)) return status;
-    return lines.draw(Ink{sink, font, clip, typename Ink::Colour(Format::encode(style.colour))});
+    return lines.draw(Ink{sink, font, clip, Format::encode(style.colour)});
   }
 }
 

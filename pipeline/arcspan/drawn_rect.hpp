@@ -51,13 +51,10 @@ template <bool KeepsVertices, class... Used>
     const MeshView mesh = slot.object->mesh().part(part.first, part.count);
     const auto include = [&]<class U>() {
       if (part.material->use() != &kUseFacts<U>) return;
-      if constexpr (IsPosed<U>) {
-        const PosedPart<U> posed(*part.material, mesh);
-        if (!posed.fits()) return;
-        rect = bounding_rect(rect, drawn_rect_of_part<U, KeepsVertices>(slot, posed, number, *part.material));
-      } else {
-        rect = bounding_rect(rect, drawn_rect_of_part<U, KeepsVertices>(slot, mesh, number, *part.material));
-      }
+      const auto rect_of = [&](const auto& drawn) {
+        return drawn_rect_of_part<U, KeepsVertices>(slot, drawn, number, *part.material);
+      };
+      rect = bounding_rect(rect, with_vertices<U>(*part.material, mesh, Rect{}, rect_of));
     };
     (include.template operator()<Used>(), ...);
   }

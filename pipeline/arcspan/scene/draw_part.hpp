@@ -7,12 +7,10 @@
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/scene/slot_vertices.hpp>
-#include <arcspan/target.hpp>
 #include <arcspan/vertex/rotation.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace arcspan {
 
@@ -38,42 +36,25 @@ struct PartCall {
   void* lighting;  ///< memory for the material as it is seen here
 };
 
-/// Draws a part with the vertices of its slot, which exist if `KeepsVertices`.
-template <class Used, bool KeepsVertices, class Call, class Drawer>
-[[nodiscard]] DrawResult draw_with_vertices(const Call& part, Drawer&& drawer) {
-  if constexpr (KeepsVertices) {
-    SlotVertices<typename Used::Method, std::remove_cvref_t<decltype(part.rows)>> vertices(
-        part.slot, kUseFacts<Used>, part.rows);
-    drawer.draw(vertices);
-  } else {
-    UncachedPart vertices(part.rows);
-    drawer.draw(vertices);
-  }
-  return drawer.result();
-}
-
 /// draw_mesh() with the vertices of the part's slot, which exist if `KeepsVertices`.
 template <class Used, bool KeepsVertices, class Sink, class Depth, class KeptRows>
-requires(!IsPosed<Used>) DrawResult draw_lit_part(const PartCall<Sink, Depth, KeptRows>& part,
-                                                  const typename Used::Method::Lighting& lighting) {
-  using Method = typename Used::Method;
-  TriangleDrawer<Method, Used::kFeatures, Sink, Depth> drawer(
-      {part.mesh, part.slot.transform, lighting, shading_of(part.number)}, part.sink, part.depth,
-      part.material.options());
-  return draw_with_vertices<Used, KeepsVertices>(part, drawer);
-}
-
-/// draw_lit_part() of vertices that a mesh poses.
-template <IsPosed Used, bool KeepsVertices, class Sink, class Depth, class KeptRows>
 DrawResult draw_lit_part(const PartCall<Sink, Depth, KeptRows>& part,
                          const typename Used::Method::Lighting& lighting) {
   using Method = typename Used::Method;
-  const PosedPart<Used> mesh(part.material, part.mesh);
-  if (!mesh.fits()) return {Status::kInvalidArgument};
-  TriangleDrawer<Method, Used::kFeatures, Sink, Depth, PosedPart<Used>> drawer(
-      {mesh, part.slot.transform, lighting, shading_of(part.number)}, part.sink, part.depth,
-      part.material.options());
-  return draw_with_vertices<Used, KeepsVertices>(part, drawer);
+  const auto draw = [&]<class Mesh>(const Mesh& mesh) {
+    TriangleDrawer<Method, Used::kFeatures, Sink, Depth, Mesh> drawer(
+        {mesh, part.slot.transform, lighting, shading_of(part.number)}, part.sink, part.depth,
+        part.material.options());
+    if constexpr (KeepsVertices) {
+      SlotVertices<Method, KeptRows> vertices(part.slot, kUseFacts<Used>, part.rows);
+      drawer.draw(vertices);
+    } else {
+      UncachedPart vertices(part.rows);
+      drawer.draw(vertices);
+    }
+    return drawer.result();
+  };
+  return with_vertices<Used>(part.material, part.mesh, DrawResult{Status::kInvalidArgument}, draw);
 }
 
 /// Where the vertices of a part come from.

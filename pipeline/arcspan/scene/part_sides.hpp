@@ -15,7 +15,6 @@
 #include <arcspan/scene/slot_vertices.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
-#include <arcspan/vertex/clip_transform.hpp>
 
 #include <cstddef>
 #include <span>
@@ -35,31 +34,20 @@ struct SidesCall {
 };
 
 template <class Used, bool KeepsVertices, class KeptRows>
-requires(!IsPosed<Used>) [[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
-  using Method = typename Used::Method;
-  const auto& lighting = static_cast<const PreparedMaterial<Used>&>(call.material).lighting();
-  const ClipTransform& transform = call.slot.transform;
-  if constexpr (KeepsVertices) {
-    SlotVertices<Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
-    return find_sides<Method>(call.mesh, transform, lighting, vertices, call.sides, call.material.options());
-  } else {
-    return find_sides<Method>(call.mesh, transform, lighting, UncachedPart(call.rows), call.sides,
-                              call.material.options());
-  }
-}
-
-/// find_part_sides() of vertices that a mesh poses.
-template <IsPosed Used, bool KeepsVertices, class KeptRows>
 [[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
-  if constexpr (!KeepsVertices) {
+  const auto find_with = [&](const auto& mesh, auto&& vertices) {
+    return find_sides<typename Used::Method>(mesh, call.slot.transform,
+                                             prepared<Used>(call.material).lighting(), vertices, call.sides,
+                                             call.material.options());
+  };
+  if constexpr (KeepsVertices) {
+    SlotVertices<typename Used::Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
+    return with_vertices<Used>(call.material, call.mesh, Status::kInvalidArgument,
+                               [&](const auto& mesh) { return find_with(mesh, vertices); });
+  } else if constexpr (IsPosed<Used>) {
     return Status::kUnsupported;  // check_outlined() has refused it
   } else {
-    using Method = typename Used::Method;
-    const PosedPart<Used> mesh(call.material, call.mesh);
-    if (!mesh.fits()) return Status::kInvalidArgument;
-    SlotVertices<Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);
-    return find_sides<Method>(mesh, call.slot.transform, prepared<Used>(call.material).lighting(), vertices,
-                              call.sides, call.material.options());
+    return find_with(call.mesh, UncachedPart(call.rows));
   }
 }
 

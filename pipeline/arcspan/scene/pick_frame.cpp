@@ -91,12 +91,12 @@ class PixelTriangles {
   return false;
 }
 
-/// Draws the triangles of an object that may have the pixel; the last one that is nearer than `nearest`, the
-/// depth in the buffer, is picked.
-void pick_object(const SceneSlot& slot, std::span<const PickUse> uses, std::span<std::uint8_t> scratch,
+/// Draws `triangles` of an object; the last one that is nearer than `nearest`, the depth in the buffer, is
+/// picked.
+template <class Triangles>
+void pick_object(const SceneSlot& slot, std::span<const PickUse> uses, const Triangles& triangles,
                  PickSink& sink, const DepthBuffer& depth, const std::uint16_t& nearest, Picked& picked) {
   const Object& object = *slot.object;
-  const PixelTriangles triangles(slot, sink, draws_edges(object, uses), scratch);
   for (std::size_t number = 0; number < object.part_count(); ++number) {
     const Part part = object.part(number);
     const PickUse& use = use_of(uses, *part.material);
@@ -110,10 +110,10 @@ void pick_object(const SceneSlot& slot, std::span<const PickUse> uses, std::span
   }
 }
 
-}  // namespace
-
-Picked pick_in(const SceneFrame& frame, std::span<const PickUse> uses, std::span<std::uint8_t> scratch,
-               std::int32_t x, std::int32_t y) {
+/// triangles_of(slot, sink) are those of an object that may have the pixel.
+template <class TrianglesOf>
+[[nodiscard]] Picked pick_among(const SceneFrame& frame, std::span<const PickUse> uses, std::int32_t x,
+                                std::int32_t y, const TrianglesOf& triangles_of) {
   Picked picked{frame.header.camera == nullptr ? Status::kNotReady : frame.header.status};
   if (!ok(picked.status)) return picked;
   const Viewport& viewport = frame.header.camera->viewport();
@@ -125,10 +125,23 @@ Picked pick_in(const SceneFrame& frame, std::span<const PickUse> uses, std::span
   for (const std::uint16_t i : frame.order.first(frame.header.in_view)) {
     const SceneSlot& slot = frame.entries[i];
     if (is_outside(slot, sink.bounds())) continue;
-    pick_object(slot, uses, scratch, sink, depth, nearest, picked);
+    pick_object(slot, uses, triangles_of(slot, sink), sink, depth, nearest, picked);
     if (!ok(picked.status)) break;
   }
   return picked;
+}
+
+}  // namespace
+
+Picked pick_in(const SceneFrame& frame, std::span<const PickUse> uses, std::span<std::uint8_t> scratch,
+               std::int32_t x, std::int32_t y) {
+  return pick_among(frame, uses, x, y, [&](const SceneSlot& slot, const PickSink& sink) {
+    return PixelTriangles(slot, sink, draws_edges(*slot.object, uses), scratch);
+  });
+}
+
+Picked pick_posed_in(const SceneFrame& frame, std::span<const PickUse> uses, std::int32_t x, std::int32_t y) {
+  return pick_among(frame, uses, x, y, [](const SceneSlot&, const PickSink&) { return AllTriangles{}; });
 }
 
 }  // namespace arcspan::detail

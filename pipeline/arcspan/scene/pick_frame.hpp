@@ -60,16 +60,11 @@ template <class Used>
       .clips = Used::kFeatures.clips, .planes = false, .small_triangles = kSmall};
   typename Plain::Lighting lighting{};
   if constexpr (DrawsEdges<Method>) lighting.set(prepared<Used>(call.material).lighting().bias);
-  if constexpr (IsPosed<Used>) {
-    const PosedPart<Used> mesh(call.material, triangle);
-    if (!mesh.fits()) return Status::kInvalidArgument;
+  return with_vertices<Used>(call.material, triangle, Status::kInvalidArgument, [&](const auto& mesh) {
     return draw_mesh<Plain, kFeatures>(mesh, call.slot.transform, lighting, call.sink, call.depth, NoCache{},
                                        call.material.options())
         .status;
-  }
-  return draw_mesh<Plain, kFeatures>(triangle, call.slot.transform, lighting, call.sink, call.depth,
-                                     NoCache{}, call.material.options())
-      .status;
+  });
 }
 
 /// The entry of a Use in the list of a SceneMemory.

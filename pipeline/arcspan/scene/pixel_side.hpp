@@ -2,11 +2,9 @@
 #pragma once
 
 #include <arcspan/mesh/mesh_view.hpp>
-#include <arcspan/numbers/integer.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 #include <arcspan/target.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan::detail {

@@ -105,6 +105,20 @@ class PosedPart {
   const typename U::PosedMesh& mesh_;
 };
 
+/// function(mesh) of a part with the vertices that the Use U draws; `misfit` if the mesh that poses them has
+/// not those of the part.
+template <class U, class Result, class Function>
+[[nodiscard]] ARCSPAN_INLINE constexpr Result with_vertices(const SceneMaterial& material,
+                                                            const MeshView& part, const Result& misfit,
+                                                            const Function& function) {
+  if constexpr (IsPosed<U>) {
+    const PosedPart<U> mesh(material, part);
+    return mesh.fits() ? function(mesh) : misfit;
+  } else {
+    return function(part);
+  }
+}
+
 }  // namespace detail
 
 }  // namespace arcspan

@@ -12,7 +12,6 @@
 #include <arcspan/vertex/rotation.hpp>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 

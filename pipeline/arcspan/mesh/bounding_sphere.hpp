@@ -3,7 +3,6 @@
 
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/root.hpp>
-#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>

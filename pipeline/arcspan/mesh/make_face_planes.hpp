@@ -5,7 +5,6 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/root.hpp>
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -4,7 +4,6 @@
 #include <arcspan/status.hpp>
 #include <arcspan/texture/texel_formats.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/animate/attachment.hpp>
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/unit_vector.hpp>
 
 #include <array>
@@ -38,11 +39,6 @@ Rotation rotation_of(const NodeMatrix& node) {
   return rotation;
 }
 
-ObjectLength saturated_length(std::int64_t raw) {
-  if (raw > INT32_MAX) return ObjectLength::from_raw(INT32_MAX);
-  return ObjectLength::from_raw(raw < -INT32_MAX ? -INT32_MAX : static_cast<std::int32_t>(raw));
-}
-
 }  // namespace
 
 Placement attached(const Placement& body, const NodeMatrix& node) {
@@ -51,7 +47,7 @@ Placement attached(const Placement& body, const NodeMatrix& node) {
     std::int64_t sum = std::int64_t{body.translation[i].raw()} << RotationEntry::kFraction;
     for (std::size_t j = 0; j < 3; ++j)
       sum += std::int64_t{body.rotation.m[i][j].raw()} * node.offset[j].raw();
-    placement.translation[i] = saturated_length(sum >> RotationEntry::kFraction);
+    placement.translation[i] = ObjectLength::from_raw(limited(sum >> RotationEntry::kFraction, INT32_MAX));
   }
   return placement;
 }

@@ -57,12 +57,6 @@ class KeyValues {
   bool is_cubic_;
 };
 
-/// Saturates as values of a channel are.
-std::int32_t limited(std::int64_t value, std::int32_t most) {
-  if (value > most) return most;
-  return value < -most ? -most : static_cast<std::int32_t>(value);
-}
-
 /// Component i of a vector at a place.
 template <class Number>
 std::int32_t vector_at(const KeyValues<Number>& keys, Interpolation interpolation, const KeyPlace& place,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/animate/morphed_mesh.hpp>
 #include <arcspan/animate/saturated_position.hpp>
+#include <arcspan/numbers/integer.hpp>
 
 namespace arcspan {
 
@@ -23,10 +24,7 @@ struct MorphSum {
 
 /// The change of a coordinate by all targets, rounded, and limited to 2^20 so that the sum fits.
 std::int32_t whole(std::int64_t sum) {
-  constexpr std::int32_t kMost = std::int32_t{1} << 20;
-  const std::int64_t rounded = (sum + (std::int32_t{1} << (kMorphBits - 1))) >> kMorphBits;
-  if (rounded > kMost) return kMost;
-  return rounded < -kMost ? -kMost : static_cast<std::int32_t>(rounded);
+  return limited((sum + (std::int32_t{1} << (kMorphBits - 1))) >> kMorphBits, std::int32_t{1} << 20);
 }
 
 }  // namespace

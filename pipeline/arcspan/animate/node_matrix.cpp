@@ -11,11 +11,7 @@ namespace {
 constexpr int kOneBits = animation_binary::kMatrixBits;
 
 /// Saturated so that a sum of three products of two such numbers fits 64 bits.
-std::int32_t saturated(std::int64_t value) {
-  constexpr std::int32_t kMost = (std::int32_t{1} << 30) - 1;
-  if (value > kMost) return kMost;
-  return value < -kMost ? -kMost : static_cast<std::int32_t>(value);
-}
+std::int32_t saturated(std::int64_t value) { return limited(value, (std::int32_t{1} << 30) - 1); }
 
 /// Sets the entries to the rotation by a quaternion of any length:
 ///

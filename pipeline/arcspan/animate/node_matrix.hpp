@@ -4,7 +4,6 @@
 #include <arcspan/animate/animation_binary.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {

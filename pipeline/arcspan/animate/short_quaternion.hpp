@@ -3,7 +3,6 @@
 
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/root.hpp>
-#include <arcspan/target.hpp>
 
 #include <bit>
 #include <cstddef>
@@ -23,8 +22,7 @@ void shorten(const Component (&c)[4], std::int32_t (&q)[4]) {
   const int down = width > 15 ? width - 15 : 0;
   const Component half = down == 0 ? Component{0} : static_cast<Component>(Component{1} << (down - 1));
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto rounded = static_cast<std::int32_t>((c[i] + half) >> down);
-    q[i] = rounded > 32767 ? 32767 : rounded < -32767 ? -32767 : rounded;
+    q[i] = limited((c[i] + half) >> down, 32767);
   }
 }
 
@@ -36,8 +34,7 @@ inline void make_unit(const std::int32_t (&q)[4], std::int32_t (&unit)[4]) {
   const ReciprocalRoot inverse = reciprocal_root(square);
   for (std::size_t i = 0; i < 4; ++i) {
     const std::int64_t product = std::int64_t{q[i]} * static_cast<std::int32_t>(inverse.mantissa);
-    const auto c = static_cast<std::int32_t>(product >> (inverse.exponent - 15));
-    unit[i] = c > 32767 ? 32767 : c < -32767 ? -32767 : c;
+    unit[i] = limited(product >> (inverse.exponent - 15), 32767);
   }
 }
 

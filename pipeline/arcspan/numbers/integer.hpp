@@ -47,6 +47,13 @@ template <int Bits>
   return v < 0 ? -static_cast<std::int32_t>(kHalf) : static_cast<std::int32_t>(kHalf - 1);
 }
 
+/// `v` clamped to -most ... most.
+template <class Number>
+[[nodiscard]] constexpr std::int32_t limited(Number v, std::int32_t most) {
+  if (v > most) return most;
+  return v < -most ? -most : static_cast<std::int32_t>(v);
+}
+
 namespace detail {
 
 /// multiply_high() by four products of 16-bit halves.

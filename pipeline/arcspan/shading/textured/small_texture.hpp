@@ -41,9 +41,7 @@ class SmallCoordinate {
   }
   /// change() in repetitions with 18 fraction bits, which saturates instead of wrapping.
   [[nodiscard]] constexpr std::int32_t wide_change(std::int32_t b, std::int32_t c) const {
-    const std::int64_t sum = (std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c) >> kDropped;
-    constexpr std::int32_t kMost = INT32_MAX;
-    return static_cast<std::int32_t>(sum > kMost ? kMost : sum < -kMost ? -kMost : sum);
+    return limited((std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c) >> kDropped, INT32_MAX);
   }
   static constexpr int kDropped = 14;  ///< fraction bits that change() has and wide_change() has not
 

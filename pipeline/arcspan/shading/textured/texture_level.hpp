@@ -8,7 +8,6 @@
 
 #include <cstdint>
 
-/// The mip level that a triangle, or a piece of a row in perspective, shows.
 namespace arcspan {
 
 /// A texture point as triangles interpolate it: widths and heights of the texture, 16 fraction bits, below

@@ -188,8 +188,6 @@ template <class Steps, class Levels, class Frame>
                                               const Levels& levels, const MappedPoint& least,
                                               const TextureShifts& shifts, TextureTriangle& t) {
   constexpr bool kHasLevels = std::same_as<Levels, CornerLevels>;
-  // Each step rounds u by half of 2^(height_bits - 32) at most, all together by 1/32 of a texel; beside a
-  // level v is rounded by half of 2^-14 texels.
   const std::uint32_t steps =
       (frame.width >> 16) + 2 * (static_cast<std::uint32_t>(frame.long_edge.dy) >> 4) + 1;
   if (frame.width < 0x10000u || steps >> most_step_bits<Steps, kHasLevels>(t) != 0) return false;
@@ -205,29 +203,26 @@ template <class Steps, class Levels, class Frame>
   std::int32_t du;
   std::int32_t dv;
   if (!find_step<Steps>(frame, u, t.u_shift, du) || !find_step<Steps>(frame, v, t.v_shift, dv)) return false;
+  constexpr int kLevelShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 25 of 64ths
+  std::int32_t level_step = 0;
   if constexpr (kHasLevels) {
-    std::int32_t step;
-    constexpr int kWordShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 25 of 64ths
-    if (!find_step<Steps>(frame, levels.at, kWordShift, step)) return false;
-    if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
-    const unsigned rounded_bits = JoinedLevel::kBits - t.height_bits;
-    GridCoordinate at_v =
-        grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number), t.v_shift, dv, rounded_bits);
+    if (!find_step<Steps>(frame, levels.at, kLevelShift, level_step)) return false;
+  }
+  if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
+  const unsigned rounded_bits = kHasLevels ? JoinedLevel::kBits - t.height_bits : 0;
+  GridCoordinate at_v =
+      grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number), t.v_shift, dv, rounded_bits);
+  if constexpr (kHasLevels) {
     at_v.at =
         static_cast<std::uint32_t>(JoinedPoint::rounded(static_cast<std::int32_t>(at_v.at), rounded_bits));
     at_v.step_down = JoinedPoint::rounded(at_v.step_down, rounded_bits);
-    t.grid.make<Steps>(
-        grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.u_shift, du, t.height_bits),
-        at_v, t.height_bits);
-    t.grid.add_level(grid_coordinate<Steps>(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits,
-                                            kWordShift, step, JoinedLevel::kRoundedBits));
-  } else {
-    if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
-    t.grid.make<Steps>(
-        grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.u_shift, du, t.height_bits),
-        grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number), t.v_shift, dv, 0),
-        t.height_bits);
   }
+  t.grid.make<Steps>(
+      grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.u_shift, du, t.height_bits),
+      at_v, t.height_bits);
+  if constexpr (kHasLevels)
+    t.grid.add_level(grid_coordinate<Steps>(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits,
+                                            kLevelShift, level_step, JoinedLevel::kRoundedBits));
   return true;
 }
 

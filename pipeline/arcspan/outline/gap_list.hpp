@@ -8,7 +8,6 @@
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -40,7 +39,7 @@ class GapList {
   };
   /// That of `pixel` (OutlinePixel::column_row), in whose depth `stored` is.
   [[nodiscard]] ARCSPAN_INLINE Outer outer_of(std::uint16_t stored, std::uint32_t pixel) const {
-    if (stored >= count_ || !is_gap_of(stored, pixel)) [[likely]]
+    if (stored >= count_ || !gaps_[stored].is_of(pixel)) [[likely]]
       return {stored, -1};
     return {gaps_[stored].held.list.depth, stored};
   }
@@ -85,13 +84,6 @@ class GapList {
   static constexpr std::uint16_t kNone = 0xFFFF;
   static constexpr std::uint32_t kMost = kNone;  ///< no cleared depth is a number
 
-  /// `number` is below count_.
-  [[nodiscard]] ARCSPAN_INLINE bool is_gap_of(std::uint32_t number, std::uint32_t pixel) const {
-    const Gap& gap = gaps_[number];
-    return (static_cast<std::uint16_t>(gap.x) | std::uint32_t{static_cast<std::uint16_t>(gap.y)} << 16) ==
-           pixel;
-  }
-
   /// Looks for the gap in the same place among those of a pixel. If there is one, moves its outline outward
   /// if the new one is, and returns true.
   ARCSPAN_OUTLINE bool moved_outward(std::uint32_t number, std::uint16_t outline) {
@@ -107,7 +99,7 @@ class GapList {
   /// True if the pixel on the other side of the outline has a gap for the same place. `number`, below count_,
   /// is what its depth holds.
   ARCSPAN_OUTLINE bool has_opposite(std::uint32_t number, std::uint32_t pixel, GapPlace place) const {
-    if (!is_gap_of(number, pixel + inward_step(place))) return false;
+    if (!gaps_[number].is_of(pixel + inward_step(place))) return false;
     for (; number != kNone; number = gaps_[number].held.list.next)
       if (GapOutline::place_of(gaps_[number].outline) == opposite(place)) return true;
     return false;

@@ -9,7 +9,6 @@
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -36,7 +35,7 @@ class InkPixels {
   /// The depth of a pixel, whether it is in the list or not.
   [[nodiscard]] ARCSPAN_INLINE std::uint16_t depth_of(const OutlinePixel& at) const {
     const std::uint16_t number = *at.depth;
-    if (number >= count_ || !is_entry_of(number, at)) [[likely]]
+    if (number >= count_ || !entries_[number].is_of(at.column_row)) [[likely]]
       return number;
     return entries_[number].held.list.depth;
   }
@@ -73,16 +72,9 @@ class InkPixels {
  private:
   static constexpr std::uint32_t kMost = 0xFFFF;  ///< no cleared depth is a number
 
-  /// `number` is below count_.
-  [[nodiscard]] ARCSPAN_INLINE bool is_entry_of(std::uint32_t number, const OutlinePixel& at) const {
-    const Entry& entry = entries_[number];
-    return (static_cast<std::uint16_t>(entry.x) | std::uint32_t{static_cast<std::uint16_t>(entry.y)} << 16) ==
-           at.column_row;
-  }
-
   ARCSPAN_INLINE void list(const OutlinePixel& at, std::uint32_t share) {
     const std::uint32_t number = *at.depth;
-    if (number < count_ && is_entry_of(number, at)) {
+    if (number < count_ && entries_[number].is_of(at.column_row)) {
       if (share > entries_[number].outline) entries_[number].outline = static_cast<std::uint16_t>(share);
       return;
     }

@@ -4,7 +4,6 @@
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/target.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
@@ -63,6 +62,13 @@ struct OutlineGap {
   std::int16_t y = 0;
   Held held{};
   std::uint16_t outline = 0;  ///< where it runs; greater values are farther outward
+
+  /// @cond for smooth_outlines(), not in the reference
+  /// Whether it is a gap of this pixel, as OutlinePixel::column_row has it.
+  [[nodiscard]] ARCSPAN_INLINE constexpr bool is_of(std::uint32_t pixel) const {
+    return (static_cast<std::uint16_t>(x) | std::uint32_t{static_cast<std::uint16_t>(y)} << 16) == pixel;
+  }
+  /// @endcond
 };
 
 namespace detail {

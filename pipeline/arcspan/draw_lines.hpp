@@ -10,7 +10,6 @@
 #include <arcspan/shading/one_colour.hpp>
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/span/depth.hpp>
-#include <arcspan/span/rectangle_rows.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>

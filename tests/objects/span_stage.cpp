@@ -11,7 +11,7 @@
 #include <arcspan/shading/gouraud.hpp>
 #include <arcspan/span/depth_mode.hpp>
 #include <arcspan/span/draw_small.hpp>
-#include <arcspan/span/rectangle_rows.hpp>
+#include <arcspan/span/line_rows.hpp>
 
 #include <tests/objects/instances.hpp>
 #include <tests/objects/surface_list.hpp>

@@ -3,7 +3,6 @@
 
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/pixel/sink.hpp>
-#include <arcspan/prepare/linear.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/span/draw_operated.hpp>

@@ -6,7 +6,6 @@
 #include <arcspan/span/depth.hpp>
 #include <arcspan/target.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan::detail {
@@ -49,10 +48,6 @@ requires kHasManyRegisters class PixelRows<Sink> {
                                                                               std::int32_t rows = 0) const {
     return typename Sink::Format::Cursor(moved_by_units(row_, rows * stride_), span.x + span.count);
   }
-  /// The cursor at a column of the current row, in formats of one word per pixel.
-  [[nodiscard]] ARCSPAN_INLINE constexpr typename Sink::Format::Cursor at_column(std::ptrdiff_t x) const {
-    return typename Sink::Format::Cursor(row_ + x, 0);
-  }
   ARCSPAN_INLINE constexpr void next() {
     row_ = moved_by_units(row_, stride_);
     hide_value(row_);
@@ -66,7 +61,7 @@ requires kHasManyRegisters class PixelRows<Sink> {
 };
 
 /// The rows of a depth buffer, from row y of the picture downwards, as an address that is stepped.
-template <class Depth, bool Steps = kHasManyRegisters>
+template <class Depth>
 class DepthRows {
  public:
   ARCSPAN_INLINE constexpr DepthRows(const Depth& depth, std::int32_t y)
@@ -80,8 +75,6 @@ class DepthRows {
                                                                std::int32_t rows = 0) const {
     return row_ + (rows * stride_ + (span.x + span.count));
   }
-  /// The depth at a column of the current row.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at_column(std::ptrdiff_t x) const { return row_ + x; }
   ARCSPAN_INLINE constexpr void next() {
     row_ += stride_;
     hide_value(row_);
@@ -92,8 +85,9 @@ class DepthRows {
   std::int32_t stride_;
 };
 
+/// With few registers a product is cheaper.
 template <class Depth>
-class DepthRows<Depth, false> {
+requires(!kHasManyRegisters) class DepthRows<Depth> {
  public:
   constexpr DepthRows(const Depth& depth, std::int32_t) : depth_(depth) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at(const Span& span, std::int32_t = 0) const {
@@ -105,22 +99,14 @@ class DepthRows<Depth, false> {
   const Depth& depth_;
 };
 
-/// Without a depth buffer.
-class NoDepthRows {
+template <>
+class DepthRows<NoDepth> {
  public:
-  constexpr NoDepthRows(const NoDepth&, std::int32_t) {}
+  constexpr DepthRows(const NoDepth&, std::int32_t) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t* at(const Span&, std::int32_t = 0) const {
     return nullptr;
   }
   ARCSPAN_INLINE constexpr void next() {}
-};
-template <>
-class DepthRows<NoDepth, true> : public NoDepthRows {
-  using NoDepthRows::NoDepthRows;
-};
-template <>
-class DepthRows<NoDepth, false> : public NoDepthRows {
-  using NoDepthRows::NoDepthRows;
 };
 
 /// The memory of the current row of a command: its pixels and its depths.

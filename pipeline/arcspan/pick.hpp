@@ -4,7 +4,6 @@
 #include <arcspan/scene.hpp>
 #include <arcspan/scene/pick_frame.hpp>
 
-#include <cstddef>
 #include <cstdint>
 
 namespace arcspan {

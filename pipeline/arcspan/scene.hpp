@@ -11,11 +11,9 @@
 #include <arcspan/scene/scene_light.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/scene/scene_memory.hpp>
-#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace arcspan {
 

@@ -3,11 +3,9 @@
 
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/sink.hpp>
-#include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/span/row_drawer.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 #include <arcspan/vertex/clip_transform.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 

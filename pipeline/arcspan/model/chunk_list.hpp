@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/status.hpp>
-#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -9,7 +9,6 @@
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/outline/outline_list.hpp>
 #include <arcspan/status.hpp>
-#include <arcspan/vertex/raster_vertex.hpp>
 
 #include <array>
 #include <cstddef>

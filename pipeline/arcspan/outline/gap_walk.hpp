@@ -2,11 +2,9 @@
 #pragma once
 
 #include <arcspan/outline/exchange.hpp>
-#include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/edge.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/target.hpp>
-#include <arcspan/vertex/placement.hpp>
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstdint>

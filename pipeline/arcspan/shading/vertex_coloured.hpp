@@ -5,7 +5,6 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/shading/gouraud.hpp>
-#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,6 @@
 
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
-#include <arcspan/numbers/integer.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>

@@ -3,7 +3,6 @@
 
 #include <arcspan/lighting/triangle_light.hpp>
 #include <arcspan/shading/surface/chords.hpp>
-#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 /// The scalars of a row's pixels in the three orders, and their colours.
 namespace arcspan {

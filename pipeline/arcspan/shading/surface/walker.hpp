@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 /// Steps the scalars of a triangle from row to row (RowWalker). Walkers change the prepared surface in place.
 namespace arcspan {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/numbers/integer.hpp>
-#include <arcspan/target.hpp>
 
 #include <bit>
 #include <cstdint>

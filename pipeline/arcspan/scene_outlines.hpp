@@ -256,25 +256,30 @@ template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, Depth
 
 namespace detail {
 
-/// Draws a scene and finds its outlines: while it is drawn, unless curves are drawn over them. `found` gets
-/// the status of find_outlines().
+/// Draws a scene and finds its outlines: while it is drawn, unless curves are drawn over them. Then finish()
+/// changes the picture along them. The status is that of drawing, of find_outlines() or of finish().
 template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, PixelFormat F,
-          class Curved>
-[[nodiscard]] SceneResult draw_and_find_outlines(const Scene& scene, Sink& sink, const Depth& depth,
-                                                 Memory& memory, const Background& background,
-                                                 SceneOutlines<F, Curved>& outlines, Status& found) {
+          class Curved, class Finish>
+[[nodiscard]] SceneResult draw_outlined(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
+                                        const Background& background, SceneOutlines<F, Curved>& outlines,
+                                        const Finish& finish) {
   static_assert(Depth::kWrites, "outlines are compared with depths");
-  found = prepare_once(scene, memory);
+  Status found = prepare_once(scene, memory);
   if (!ok(found)) return {found};
+  SceneResult result;
   if constexpr (std::is_same_v<Curved, CurvedOutlines>) {
     found = find_outlines(memory, outlines);
-    return draw_prepared_scene(memory, sink, depth, background, outlines.curves);
+    result = draw_prepared_scene(memory, sink, depth, background, outlines.curves);
   } else {
     outlines.edges.clear();
     using Clear = ClearTarget<Background>;
     const OutlinedTarget<Clear, F> target(Clear(background), outlines, found);
-    return draw_prepared(memory, sink, depth, target);
+    result = draw_prepared(memory, sink, depth, target);
   }
+  if (!ok(result.status)) return result;
+  const Status finished = finish();
+  result.status = ok(found) ? finished : found;
+  return result;
 }
 
 }  // namespace detail
@@ -286,13 +291,8 @@ template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, Depth
 [[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
                                      const Background& background,
                                      SceneOutlines<typename Sink::Format, Curved>& outlines) {
-  Status found = Status::kOk;
-  SceneResult result =
-      detail::draw_and_find_outlines(scene, sink, depth, memory, background, outlines, found);
-  if (!ok(result.status)) return result;
-  const Status smoothed = smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
-  result.status = ok(found) ? smoothed : found;
-  return result;
+  return detail::draw_outlined(scene, sink, depth, memory, background, outlines,
+                               [&] { return smooth_outlines(outlines.edges, sink, depth, outlines.gaps); });
 }
 
 /// draw_scene() with outlines that are inked and then smoothed. The status is as above, with that of
@@ -303,17 +303,13 @@ template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, Depth
                                      const Background& background,
                                      SceneOutlines<typename Sink::Format, Curved>& outlines,
                                      const OutlineInk& ink) {
-  Status found = Status::kOk;
-  SceneResult result =
-      detail::draw_and_find_outlines(scene, sink, depth, memory, background, outlines, found);
-  if (!ok(result.status)) return result;
-  Status finished = ink_outlines(outlines.edges, ink, sink, depth, outlines.gaps);
-  if constexpr (detail::kCanBlend<typename Sink::Format>) {
-    const Status smoothed = smooth_outlines(outlines.edges, sink, depth, outlines.gaps);
-    if (ok(finished)) finished = smoothed;
-  }
-  result.status = ok(found) ? finished : found;
-  return result;
+  return detail::draw_outlined(scene, sink, depth, memory, background, outlines, [&] {
+    const Status inked = ink_outlines(outlines.edges, ink, sink, depth, outlines.gaps);
+    const Status smoothed = detail::kCanBlend<typename Sink::Format>
+                                ? smooth_outlines(outlines.edges, sink, depth, outlines.gaps)
+                                : Status::kOk;
+    return ok(inked) ? smoothed : inked;
+  });
 }
 
 }  // namespace arcspan

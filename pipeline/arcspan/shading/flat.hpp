@@ -35,30 +35,22 @@ struct Flat {
     constexpr void next() {}
   };
 
-  class Walker {
-   public:
+  /// The rows of a triangle, whatever its size.
+  struct Walker {
     using Run = Flat::Run;
-    constexpr explicit Walker(Prepared& prepared) : value_(prepared) {}
-    [[nodiscard]] constexpr Run row(const RowStart&) const { return {value_}; }
+    PackedRgb value;
+    [[nodiscard]] constexpr Run row(const RowStart&) const { return {value}; }
+    [[nodiscard]] constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const { return {value}; }
     constexpr void next_row() {}
     constexpr void enter_lower() {}
-
-   private:
-    PackedRgb value_;
   };
 
   template <class Draw>
   [[nodiscard]] static constexpr Status walk(Prepared& prepared, Draw&& draw) {
-    return draw(Walker(prepared));
+    return draw(Walker{prepared});
   }
 
   using Small = PackedRgb;
-  /// The rows of a small triangle.
-  struct SmallRows {
-    using Run = Flat::Run;
-    PackedRgb value;
-    [[nodiscard]] constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const { return {value}; }
-  };
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting&, const Raster&, const Raster&,
                                                     const Raster&, const Face& face, const SmallTriangle&,
@@ -68,7 +60,7 @@ struct Flat {
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
-    return draw(SmallRows{part});
+    return draw(Walker{part});
   }
 };
 

@@ -30,9 +30,11 @@ struct Unlit {
     constexpr void next() {}
   };
 
+  /// The rows of a triangle, whatever its size.
   struct Walker {
     using Run = Unlit::Run;
     [[nodiscard]] constexpr Run row(const RowStart&) const { return {}; }
+    [[nodiscard]] constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const { return {}; }
     constexpr void next_row() {}
     constexpr void enter_lower() {}
   };
@@ -43,11 +45,6 @@ struct Unlit {
   }
 
   struct Small {};
-  /// The rows of a small triangle.
-  struct SmallRows {
-    using Run = Unlit::Run;
-    [[nodiscard]] constexpr Run row(std::int32_t, std::int32_t, std::int32_t) const { return {}; }
-  };
   template <class Raster>
   [[nodiscard]] static constexpr bool prepare_small(const Lighting&, const Raster&, const Raster&,
                                                     const Raster&, const Face&, const SmallTriangle&,
@@ -56,7 +53,7 @@ struct Unlit {
   }
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small&, Draw&& draw) {
-    return draw(SmallRows());
+    return draw(Walker());
   }
 };
 

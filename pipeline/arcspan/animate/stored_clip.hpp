@@ -24,32 +24,26 @@ class StoredClip {
   }
   /// Within the binary.
   [[nodiscard]] const char* name() const {
-    return chunk_ == nullptr ? "" : as<char>(animation_binary::kNameAt);
+    return chunk_ == nullptr ? "" : detail::records_at<char>(chunk_ + animation_binary::kNameAt);
   }
   /// In the order of their targets and paths.
   [[nodiscard]] std::span<const StoredChannel> channels() const {
     if (chunk_ == nullptr) return {};
-    return {as<StoredChannel>(animation_binary::kClipBytes),
+    return {detail::records_at<StoredChannel>(chunk_ + animation_binary::kClipBytes),
             little_u16(chunk_ + animation_binary::kChannelsAt)};
   }
   /// The times of the keys of a channel, microseconds, which increase; `channel.keys` of them.
   [[nodiscard]] const std::uint32_t* times(const StoredChannel& channel) const {
-    return as<std::uint32_t>(static_cast<std::size_t>(channel.times));
+    return detail::records_at<std::uint32_t>(chunk_ + static_cast<std::size_t>(channel.times));
   }
   /// The values of a channel: of type StoredTranslation, StoredRotation, StoredScale, or std::int16_t for
   /// morph weights. A cubic channel has three for each key.
   template <class Value>
   [[nodiscard]] const Value* values(const StoredChannel& channel) const {
-    return as<Value>(static_cast<std::size_t>(channel.values));
+    return detail::records_at<Value>(chunk_ + static_cast<std::size_t>(channel.values));
   }
 
  private:
-  /// By way of void, because alignment has been checked.
-  template <class T>
-  [[nodiscard]] const T* as(std::size_t offset) const {
-    return static_cast<const T*>(static_cast<const void*>(chunk_ + offset));
-  }
-
   const std::uint8_t* chunk_ = nullptr;
 };
 

@@ -12,23 +12,12 @@ namespace arcspan {
 
 namespace detail {
 
-/// The pixel of format F for a colour of 8 bits per channel at (x, y) of the picture, dithered if
-/// F::kDithers.
-template <PixelFormat F>
-[[nodiscard]] constexpr typename F::Encoded encode_rgb8_at(Rgb8 c, std::int32_t x, std::int32_t y) {
-  if constexpr (F::kDithers) {
-    return F::encode_dithered(c, x, y);
-  } else {
-    return F::encode(c);
-  }
-}
-
 /// Copies a run of pixels of a row into another sink.
 template <class From, PixelSink Target>
 [[nodiscard]] constexpr Status convert_run(typename From::Cursor from, const Span& run, Target& target) {
   auto to = target.open(run);
   for (std::int32_t x = run.x; x < run.x + run.count; ++x, from.next(), to.next())
-    to.write(encode_rgb8_at<typename Target::Format>(From::decode(from.read()), x, run.y));
+    to.write(encode_at<typename Target::Format>(From::decode(from.read()), x, run.y));
   return target.close(run);
 }
 

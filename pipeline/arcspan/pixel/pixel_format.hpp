@@ -79,15 +79,21 @@ struct Dithered : F {
 
 /// The pixel of format `F` for colour `c` at (x, y) of the picture, dithered if F::kDithers.
 template <PixelFormat F>
+[[nodiscard]] constexpr typename F::Encoded encode_at(Rgb8 c, std::int32_t x, std::int32_t y) {
+  if constexpr (F::kDithers) {
+    return F::encode_dithered(c, x, y);
+  } else {
+    return F::encode(c);
+  }
+}
+template <PixelFormat F>
 [[nodiscard]] constexpr typename F::Encoded encode_at(PackedRgb c, std::int32_t x, std::int32_t y) {
   if constexpr (F::kDithers && requires { F::encode_dithered(c, x, y); }) {
     return F::encode_dithered(c, x, y);
-  } else if constexpr (F::kDithers) {
-    return F::encode_dithered(c.rgb8(), x, y);
-  } else if constexpr (requires { F::encode(c); }) {
+  } else if constexpr (!F::kDithers && requires { F::encode(c); }) {
     return F::encode(c);
   } else {
-    return F::encode(c.rgb8());
+    return encode_at<F>(c.rgb8(), x, y);
   }
 }
 

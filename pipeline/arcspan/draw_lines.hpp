@@ -7,7 +7,6 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/triangle.hpp>
-#include <arcspan/shading/one_colour.hpp>
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/span/depth.hpp>
 #include <arcspan/status.hpp>

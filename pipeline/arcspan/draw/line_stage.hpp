@@ -4,7 +4,6 @@
 #include <arcspan/clip/clip_polygon.hpp>
 #include <arcspan/draw/scissor.hpp>
 #include <arcspan/prepare/line_command.hpp>
-#include <arcspan/shading/one_colour.hpp>
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/span/line_rows.hpp>
 #include <arcspan/status.hpp>

@@ -8,7 +8,6 @@
 #include <arcspan/draw/vertex_stage.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/prepare/triangle.hpp>
-#include <arcspan/shading/one_colour.hpp>
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>

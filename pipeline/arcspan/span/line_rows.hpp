@@ -3,7 +3,7 @@
 
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/prepare/line_command.hpp>
-#include <arcspan/shading/one_colour.hpp>
+#include <arcspan/shading/unlit.hpp>
 #include <arcspan/span/draw_pixels.hpp>
 #include <arcspan/span/row_drawer.hpp>
 #include <arcspan/span/row_memory.hpp>

@@ -156,9 +156,9 @@ TEST_CASE("slivers have the colours and depths of the plane, too") {
 }
 
 TEST_CASE("the thinnest slivers stay in the corners' range") {
-  const Figures f = measure(Shape::kThinnest, share_of(12000), 74, 0);
+  const Figures f = measure(Shape::kThinnest, share_of(4000), 74, 0);
   INFO("colour " << f.colour << ", depth " << f.depth);
-  CHECK(f.pixels > static_cast<std::uint64_t>(share_of(12000)));
+  CHECK(f.pixels > static_cast<std::uint64_t>(share_of(3000)));
   CHECK(f.colour < 1.5);
   CHECK(f.depth < 320);  // widths of 2^-16 pixels, whose edges are off by 2^-21
   CHECK(f.outside == 0);

@@ -3,6 +3,7 @@
 
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/root.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstddef>
 #include <cstdint>

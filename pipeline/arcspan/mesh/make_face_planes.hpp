@@ -5,6 +5,7 @@
 #include <arcspan/mesh/mesh_view.hpp>
 #include <arcspan/numbers/root.hpp>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -4,6 +4,7 @@
 #include <arcspan/status.hpp>
 #include <arcspan/texture/texel_formats.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 

@@ -74,7 +74,7 @@ concept RowWalker = PixelRun<typename W::Run, Lighting> && requires(W walker, co
 /// - `Vertex`: what it keeps of a vertex's normal. An empty type saves the look-up of normals.
 /// - `Prepared`: its part of the triangle command, made by prepare(), the last place where it may divide.
 ///   prepare() gets a TriangleFrame and may complete it.
-/// - `between`: the vertex at a CutFraction or Factor of an edge, for clipping. At 1/2 the result must not
+/// - `between`: the vertex at a CutFraction (or Factor) of an edge, for clipping. At 1/2 the result must not
 ///   depend on the order of the two ends.
 /// - `walk`: static Status walk(Prepared&, draw) calls `draw` with a RowWalker and returns its status. The
 ///   type of the walker may depend on the triangle. It is a template, which the concept cannot check.

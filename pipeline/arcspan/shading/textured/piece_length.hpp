@@ -39,13 +39,21 @@ struct PerspectiveSlope {
   }
 };
 
-/// Returns the pixels of a piece over which u and v may be linear at the least q of a triangle, 0 if less
-/// than one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45. `u` and `v` are the slopes;
-/// `u_bits` and `v_bits` the binary logarithms of the texels that a relative u or v of 1 has.
-[[nodiscard]] constexpr std::uint8_t piece_length(std::int32_t least_q, const PerspectiveSlope& u,
-                                                  const PerspectiveSlope& v, int u_bits, int v_bits) {
+/// The pixels of a piece, and the q at which it is wrong by a pixel, or more than that q.
+struct PieceLength {
+  std::uint8_t pixels;
+  std::int32_t pixel_q;
+};
+
+/// Returns the piece over which u and v may be linear at the least q of a triangle, with 0 pixels if that is
+/// less than one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45, and in pixels, n^2/4
+/// |q'| / q, below 1, which is less where texels are larger. `u` and `v` are the slopes; `u_bits` and
+/// `v_bits` the binary logarithms of the texels that a relative u or v of 1 has.
+[[nodiscard]] constexpr PieceLength piece_length(std::int32_t least_q, const PerspectiveSlope& u,
+                                                 const PerspectiveSlope& v, int u_bits, int v_bits) {
+  constexpr auto kLongest = static_cast<std::uint8_t>(kLongestPiece);
   const std::uint32_t dq = static_cast<std::uint32_t>(u.dq < 0 ? -u.dq : u.dq);
-  if (dq == 0) return static_cast<std::uint8_t>(kLongestPiece);
+  if (dq == 0) return {kLongest, 0};
   const std::int32_t along_u = low_log2(u.most) + 256 * u_bits;
   const std::int32_t along_v = low_log2(v.most) + 256 * v_bits;
   const std::int32_t slope = (along_u > along_v ? along_u : along_v) + kLogError;
@@ -53,17 +61,19 @@ struct PerspectiveSlope {
   // All as Linear; the product of the slope is 2^-28 of what it stands for.
   const std::int32_t square = kLimit + 3 * low_log2(static_cast<std::uint32_t>(least_q)) - 256 * 28 -
                               (low_log2(dq) + kLogError) - slope;
-  // The error in pixels, n^2/4 |q'| / q, stays below 1, which is less where texels are larger than pixels.
   const std::int32_t of_pixels =
       512 + low_log2(static_cast<std::uint32_t>(least_q)) - low_log2(dq) - kLogError;
+  const std::int32_t room = of_pixels > square ? (of_pixels - square) >> 8 : 0;
+  const std::int32_t pixel_q = room > 31 ? 0 : least_q >> room;
   const std::int32_t log = (square < of_pixels ? square : of_pixels) >> 1;
-  if (log < 0) return 0;
-  if (log >= 7 * 256) return static_cast<std::uint8_t>(kLongestPiece);
+  if (log < 0) return {0, pixel_q};
+  if (log >= 7 * 256) return {kLongest, pixel_q};
   // 2^m is at least 1 + m ln 2, and at least 1 + m - 0.0861.
   const std::int32_t m = log & 255;
   const std::int32_t tangent = (m * 177) >> 8;
   const std::int32_t chord = m - kLogError;
-  return static_cast<std::uint8_t>((256 + (tangent > chord ? tangent : chord)) << (log >> 8) >> 8);
+  const std::int32_t length = (256 + (tangent > chord ? tangent : chord)) << (log >> 8) >> 8;
+  return {static_cast<std::uint8_t>(length), pixel_q};
 }
 
 }  // namespace detail

@@ -134,7 +134,7 @@ class LinearTexture {
 };
 
 /// u and v along a row, in pieces over which they are linear: as many pixels as keep the error of perspective
-/// below half a texel. At the ends of pieces u = (u/w) / (1/w), by a table of reciprocals.
+/// below half a texel and a pixel. At the ends of pieces u = (u/w) / (1/w), by a table of reciprocals.
 template <class StepsType, TextureFilter Filter>
 class PerspectiveTexture {
  public:
@@ -180,16 +180,19 @@ class PerspectiveTexture {
     return {multiply_high(wrap_shl(u_, zeros - 1), inverse), multiply_high(wrap_shl(v_, zeros - 1), inverse)};
   }
   /// Returns the length of the next piece: it grows with the distance of 1/w from its least value, because
-  /// the error falls with the cube of 1/w.
+  /// the error falls with the cube of 1/w in texels, and with 1/w in pixels.
   [[nodiscard]] constexpr std::int32_t length_of_piece(std::int32_t left) const {
     const std::int32_t fall = triangle_->q.dx.raw() < 0 ? triangle_->q.dx.raw() : 0;
     std::int32_t length = triangle_->piece;
     auto threshold = static_cast<std::uint32_t>(triangle_->piece_q);
+    auto pixel_q = static_cast<std::uint32_t>(triangle_->pixel_q);
     while (length < left && 2 * length <= kLongestPiece) {
       const std::int32_t longer = 2 * length;
       threshold += (threshold >> 1) + (threshold >> 4) + (threshold >> 5);  // times 2^(2/3), a bit more
       const std::int32_t end = wrap_add(q_, wrap_mul(fall, longer < left ? longer : left));
       if (end < 0 || static_cast<std::uint32_t>(end) < threshold) break;
+      if (static_cast<std::uint32_t>(end) >> 2 < pixel_q) break;
+      pixel_q <<= 2;
       length = longer;
     }
     return length;

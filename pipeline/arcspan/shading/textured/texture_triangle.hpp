@@ -42,6 +42,7 @@ struct TextureTriangle : TextureLevel {
   std::uint32_t v_origin;  ///< least v
   std::int32_t least_q;    ///< least 1/w of the vertices
   std::int32_t piece_q;    ///< 1/w for which `piece` is made
+  std::int32_t pixel_q;    ///< 1/w at which `piece` is wrong by a pixel
   std::uint8_t u_shift;    ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t v_shift;    ///< the same for v
   std::uint8_t piece;      ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
@@ -267,10 +268,11 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
     slope_u.add(f_u[i], q[i]);
     slope_v.add(f_v[i], q[i]);
   }
-  const std::uint8_t length =
+  const PieceLength length =
       piece_length(t.least_q, slope_u, slope_v, t.width_bits - shifts.u, t.height_bits - shifts.v);
-  t.piece = length == 0 ? 1 : length;
-  t.piece_q = length == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
+  t.piece = length.pixels == 0 ? 1 : length.pixels;
+  t.pixel_q = length.pixel_q;
+  t.piece_q = length.pixels == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
 }
 
 /// The spare bits of a triangle with these u and v: one for the sign, one for errors of rounding.
@@ -307,8 +309,8 @@ template <class Steps>
   return texels * near_over_w.range() <= std::uint64_t{28} * static_cast<std::uint32_t>(near_over_w.least);
 }
 
-/// True if linear mapping moves texels by at most a pixel: d (r - 1) / 4, if d is the extent in pixels. Where
-/// texels are larger than pixels, half a texel is more.
+/// True if linear mapping moves texels by at most a pixel along x and along y: d (r - 1) / 4, if d is the
+/// extent in pixels. Where texels are larger than pixels, half a texel is more.
 [[nodiscard]] constexpr bool is_linear_within_a_pixel(std::uint32_t width, std::uint32_t height,
                                                       const Extent& near_over_w) {
   const std::uint64_t extent = width > height ? width : height;  // 4 fraction bits

@@ -42,14 +42,14 @@ constexpr void prepare_recurrence_rows(const Frame& frame, RecurrenceTriangle<Co
   const SquaredAngle at_middle = row_angle_at_middle(corner, format, frame.middle_fraction);
   if (frame.has_upper) {
     const SquaredAngle at_top = row_angle_at_corner(corner, format, frame.middle_fraction);
-    make_recurrence_rows(at_top, at_middle, format, frame.inverse_width, frame.upper_edge, true,
+    make_recurrence_rows(at_top, at_middle, format, frame.inverse_width(), frame.upper_edge, true,
                          arcs.upper_rows);
   }
   if (frame.has_lower) {
     corner = {middle_bottom, top_bottom, top_middle};
     const SquaredAngle at_bottom =
         row_angle_at_corner(corner, format, Factor::of(1.0) - frame.middle_fraction);
-    make_recurrence_rows(at_bottom, at_middle, format, frame.inverse_width, frame.lower_edge, false,
+    make_recurrence_rows(at_bottom, at_middle, format, frame.inverse_width(), frame.lower_edge, false,
                          arcs.lower_rows);
   }
 }

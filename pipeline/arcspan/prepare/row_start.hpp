@@ -16,22 +16,16 @@ struct SlopeUnit {
   std::uint8_t exponent;   ///< of a sliver: the reciprocal of its width, 32 fraction bits
   std::uint32_t mantissa;  ///< of the same
 
-  [[nodiscard]] static constexpr SlopeUnit pixel() { return {false, 0, 0}; }
-  /// Returns the unit of a sliver of this width in pixels, 32 fraction bits.
-  [[nodiscard]] static constexpr SlopeUnit sliver(std::uint32_t width) {
-    const Reciprocal inverse = reciprocal(width);
-    return {true, static_cast<std::uint8_t>(inverse.exponent), inverse.mantissa};
-  }
   /// Returns the distance from an edge to the centre of its column in this unit: 16 fraction bits, below 1.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t distance(const EdgeWalk& left) const {
     if (is_sliver) [[unlikely]]
-      return over_width(left.fine_fraction());
+      return over_width(left);
     return left.fraction();
   }
 
  private:
-  /// `fine`: the distance in pixels, 32 fraction bits.
-  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t over_width(std::uint32_t fine) const {
+  [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t over_width(const EdgeWalk& left) const {
+    const std::uint32_t fine = left.fine_fraction();
     const int bits = exponent - 15;  // of the width: 1...32
     if (bits < 32 && (fine >> bits) != 0) return 0xFFFFu;
     const std::uint32_t upper = bits > 16 ? fine >> (bits - 16) : fine << (16 - bits);

@@ -128,13 +128,17 @@ struct TriangleFrame : SortedVertices<Method> {
   EdgeSetup long_edge;
   EdgeSetup upper_edge;
   EdgeSetup lower_edge;
-  bool has_upper;            ///< the upper half has rows to draw; otherwise upper_edge is unset
-  bool has_lower;            ///< the lower half has rows to draw; otherwise lower_edge is unset
-  Factor middle_fraction;    ///< fraction of the long edge at the middle vertex's height
-  std::uint32_t width;       ///< width in pixels at that height, 16 fraction bits, raw value at least 1
-  Reciprocal inverse_width;  ///< reciprocal of `width`
-  Reciprocal inverse_unit;   ///< of the SlopeUnit
+  bool has_upper;           ///< the upper half has rows to draw; otherwise upper_edge is unset
+  bool has_lower;           ///< the lower half has rows to draw; otherwise lower_edge is unset
+  Factor middle_fraction;   ///< fraction of the long edge at the middle vertex's height
+  std::uint32_t width;      ///< width in pixels at that height, 16 fraction bits, raw value at least 1
+  Reciprocal inverse_unit;  ///< reciprocal of the SlopeUnit, 16 fraction bits
   [[no_unique_address]] LongWalk<Method> long_walk;  ///< set if the method is one that NeedsNearOverW
+
+  /// Returns the reciprocal of `width`.
+  [[nodiscard]] constexpr Reciprocal inverse_width() const {
+    return width >> 16 != 0 ? inverse_unit : nonzero_reciprocal(width);
+  }
 };
 
 /// Sets up the plane of a 16-bit attribute from its values at the top, middle and bottom vertex.
@@ -218,10 +222,10 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
       (std::int64_t{middle.x - top.x} << 32) - (scaled(long_walk.step, height) & ~std::int64_t{15});
   const std::int64_t width = (across < 0 ? -across : across) >> 4;  // 32 fraction bits
   frame.width = width < 0x10000 ? 1u : static_cast<std::uint32_t>(width >> 16);
-  frame.inverse_width = nonzero_reciprocal(frame.width);
   const bool is_sliver = (width >> 32) == 0;
-  command.unit = is_sliver ? SlopeUnit::sliver(static_cast<std::uint32_t>(width)) : SlopeUnit::pixel();
-  frame.inverse_unit = is_sliver ? Reciprocal{std::uint32_t{1} << 16, 32} : frame.inverse_width;
+  const Reciprocal inverse = nonzero_reciprocal(is_sliver ? static_cast<std::uint32_t>(width) : frame.width);
+  command.unit = {is_sliver, static_cast<std::uint8_t>(inverse.exponent), inverse.mantissa};
+  frame.inverse_unit = is_sliver ? Reciprocal{std::uint32_t{1} << 16, 32} : inverse;
 }
 
 }  // namespace detail

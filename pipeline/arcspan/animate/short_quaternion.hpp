@@ -34,7 +34,7 @@ inline void make_unit(const std::int32_t (&q)[4], std::int32_t (&unit)[4]) {
   const ReciprocalRoot inverse = reciprocal_root(square);
   for (std::size_t i = 0; i < 4; ++i) {
     const std::int64_t product = std::int64_t{q[i]} * static_cast<std::int32_t>(inverse.mantissa);
-    unit[i] = limited(product >> (inverse.exponent - 15), 32767);
+    unit[i] = limited(static_cast<std::int32_t>(product >> (inverse.exponent - 15)), 32767);
   }
 }
 

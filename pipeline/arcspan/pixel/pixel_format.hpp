@@ -12,8 +12,8 @@
 namespace arcspan {
 
 /// A pixel format: how a colour becomes a pixel, and how the pixels of a row lie in memory. `Gray8`
-/// (gray8.hpp) is the smallest; cursor.hpp has what it shares with others, and one of several pixels per
-/// word.
+/// (gray8.hpp) is the smallest; format_bases.hpp has what it shares with others, and formats of several
+/// pixels per word.
 ///
 ///   Word                     the memory word: a row is an array of words_per_row(width) of them
 ///   Encoded                  the value of one pixel

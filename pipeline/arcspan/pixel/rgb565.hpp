@@ -2,7 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/colour_segment.hpp>
-#include <arcspan/pixel/cursor.hpp>
+#include <arcspan/pixel/format_bases.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
@@ -43,7 +43,7 @@ struct Rgb565 : WordPixels<std::uint16_t> {
     const std::uint32_t added = ((threshold >> 3) * 0x2004u) + (threshold >> 4 << 24);
     return encode(PackedRgb{c.lanes - taken + added});
   }
-  [[nodiscard]] static constexpr Rgb8 decode(Encoded encoded) {
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Rgb8 decode(Encoded encoded) {
     return {detail::expand_to_8<5>(static_cast<unsigned>(encoded >> 11)),
             detail::expand_to_8<6>(static_cast<unsigned>(encoded >> 5) & 63u),
             detail::expand_to_8<5>(static_cast<unsigned>(encoded) & 31u)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/pixel/cursor.hpp>
+#include <arcspan/pixel/format_bases.hpp>
 
 #include <cstdint>
 

@@ -137,7 +137,7 @@ struct TriangleFrame : SortedVertices<Method> {
 
   /// Returns the reciprocal of `width`.
   [[nodiscard]] constexpr Reciprocal inverse_width() const {
-    return width >> 16 != 0 ? inverse_unit : nonzero_reciprocal(width);
+    return (width >> 16) != 0 ? inverse_unit : nonzero_reciprocal(width);
   }
 };
 

@@ -159,7 +159,7 @@ double pixels_off(const MappedTriangle<Plain>& triangle, unsigned bits, ForEachP
   return worst;
 }
 
-TEST_CASE("where texels are larger than pixels, none is shown more than a pixel away") {
+TEST_CASE("where texels are larger than pixels, none is shown more than two pixels away") {
   constexpr unsigned kBits = 3;
   Random random(10);
   const Plain::Lighting lighting = lighting_of<Plain>(kBits, kBits);
@@ -176,8 +176,8 @@ TEST_CASE("where texels are larger than pixels, none is shown more than a pixel 
                        }));
     }
     CAPTURE(ratio);
-    CHECK(worst <= 1);
-    CHECK(small <= 1);
+    CHECK(worst <= 2);
+    CHECK(small <= 2);
   }
 }
 

@@ -39,7 +39,7 @@ struct PerspectiveSlope {
   }
 };
 
-/// The pixels of a piece, and the q at which it is wrong by a pixel, or more than that q.
+/// The pixels of a piece, and the q at which it is wrong by two pixels, or more than that q.
 struct PieceLength {
   std::uint8_t pixels;
   std::int32_t pixel_q;
@@ -47,7 +47,7 @@ struct PieceLength {
 
 /// Returns the piece over which u and v may be linear at the least q of a triangle, with 0 pixels if that is
 /// less than one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45, and in pixels, n^2/4
-/// |q'| / q, below 1, which is less where texels are larger. `u` and `v` are the slopes; `u_bits` and
+/// |q'| / q, below 2, which is less where texels are larger. `u` and `v` are the slopes; `u_bits` and
 /// `v_bits` the binary logarithms of the texels that a relative u or v of 1 has.
 [[nodiscard]] constexpr PieceLength piece_length(std::int32_t least_q, const PerspectiveSlope& u,
                                                  const PerspectiveSlope& v, int u_bits, int v_bits) {
@@ -62,7 +62,7 @@ struct PieceLength {
   const std::int32_t square = kLimit + 3 * low_log2(static_cast<std::uint32_t>(least_q)) - 256 * 28 -
                               (low_log2(dq) + kLogError) - slope;
   const std::int32_t of_pixels =
-      512 + low_log2(static_cast<std::uint32_t>(least_q)) - low_log2(dq) - kLogError;
+      768 + low_log2(static_cast<std::uint32_t>(least_q)) - low_log2(dq) - kLogError;
   const std::int32_t room = of_pixels > square ? (of_pixels - square) >> 8 : 0;
   const std::int32_t pixel_q = room > 31 ? 0 : least_q >> room;
   const std::int32_t log = (square < of_pixels ? square : of_pixels) >> 1;

@@ -75,8 +75,8 @@ struct SmallTexture : TextureLevel {
       log_area = detail::log_area_of(top.position, middle.position, bottom.position, size, corners);
       set(size, detail::least_mip_level(size, log_area));
     }
-    // A ratio of 5/4 moves texels by less than a pixel of 15.
-    if (w.range() > static_cast<std::uint32_t>(w.least) >> 2) return false;
+    // A ratio of 3/2 moves texels by less than two pixels of 15.
+    if (w.range() > static_cast<std::uint32_t>(w.least) >> 1) return false;
     if (!detail::is_nearly_linear(*this, range_u.range(), range_v.range(), w)) return false;
     u.prepare(corners.at[0].u, corners.at[1].u, corners.at[2].u);
     v.prepare(corners.at[0].v, corners.at[1].v, corners.at[2].v);

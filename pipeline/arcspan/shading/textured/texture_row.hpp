@@ -134,7 +134,7 @@ class LinearTexture {
 };
 
 /// u and v along a row, in pieces over which they are linear: as many pixels as keep the error of perspective
-/// below half a texel and a pixel. At the ends of pieces u = (u/w) / (1/w), by a table of reciprocals.
+/// below half a texel and two pixels. At the ends of pieces u = (u/w) / (1/w), by a table of reciprocals.
 template <class StepsType, TextureFilter Filter>
 class PerspectiveTexture {
  public:

@@ -241,8 +241,8 @@ using TablesOf = typename TablesFor<M, Colours>::Type;
 /// (white).
 ///
 /// Texels are shown of the mip level whose texels are about as large as the triangle's pixels.
-/// Perspective is correct within half a texel and a pixel: a triangle is mapped linearly where that is exact
-/// enough, elsewhere in the longest pieces of a row that are.
+/// Perspective is correct within half a texel and two pixels: a triangle is mapped linearly where that is
+/// exact enough, elsewhere in the longest pieces of a row that are.
 template <class Method, TexelFormat Texels, TexelLight Colours = texel_light_of<Method>(),
           TextureFilter Filter = TextureFilter::kNearest, TextureBorders Borders = TextureBorders::kRepeat>
 struct Textured : Method {

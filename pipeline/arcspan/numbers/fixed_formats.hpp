@@ -23,7 +23,7 @@ using Cosine = Fixed<std::int32_t, 30>;
 /// below 2 in magnitude, so that a product of two fits 32 bits (one 16x16 multiply).
 using Factor = Fixed<std::int32_t, 15>;
 
-/// Where an edge is cut: 0...1, within 2^-28. A Factor would move a texture by half a texel per 16,384.
+/// Where an edge is cut: 0...1, within 2^-28. The 15 bits of a Factor would move a texture on a long edge.
 struct CutFraction {
   std::int32_t raw;  ///< 30 fraction bits
 

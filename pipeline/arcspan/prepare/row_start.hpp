@@ -9,12 +9,13 @@
 
 namespace arcspan {
 
-/// The unit of slopes along rows: a pixel, or the width of a sliver. That is a triangle narrower than a
-/// pixel, whose rows have one pixel at most and do not step, so that it is as exact as others.
+/// The unit of slopes along rows: a pixel, or in slivers the width at the middle vertex. Slivers are
+/// triangles narrower than a pixel: per pixel their slopes would overflow, and no slope is stepped in a row
+/// of one pixel.
 struct SlopeUnit {
   bool is_sliver;
-  std::uint8_t exponent;   ///< of a sliver: the reciprocal of its width, 32 fraction bits
-  std::uint32_t mantissa;  ///< of the same
+  std::uint8_t exponent;   ///< in slivers: of 1/width, where the width has 32 fraction bits
+  std::uint32_t mantissa;  ///< of the same reciprocal
 
   /// Returns the distance from an edge to the centre of its column in this unit: 16 fraction bits, below 1.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t distance(const EdgeWalk& left) const {
@@ -26,7 +27,7 @@ struct SlopeUnit {
  private:
   [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t over_width(const EdgeWalk& left) const {
     const std::uint32_t fine = left.fine_fraction();
-    const int bits = exponent - 15;  // of the width: 1...32
+    const int bits = exponent - 15;  // bits that the width has: 1...32
     if (bits < 32 && (fine >> bits) != 0) return 0xFFFFu;
     const std::uint32_t upper = bits > 16 ? fine >> (bits - 16) : fine << (16 - bits);
     const std::uint32_t fraction = (upper * (mantissa >> 1)) >> 14;
@@ -36,7 +37,7 @@ struct SlopeUnit {
 
 /// The position of a row's first pixel, from which the method's walker starts the row (RowWalker).
 struct RowStart {
-  /// From the left edge to the centre of the first column inside the triangle, in its SlopeUnit.
+  /// From the left edge to the centre of the first column inside the triangle, in the SlopeUnit.
   std::uint32_t distance;
   std::uint32_t fraction;  ///< the same distance in pixels, 16 fraction bits, below 1
   std::uint32_t fine;      ///< in pixels with 32 fraction bits

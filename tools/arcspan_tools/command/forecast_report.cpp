@@ -63,10 +63,8 @@ std::string to_text(const Forecast& f) {
   if (f.morphs) text += "  morph targets are not in it\n";
   return text + formatted(
                     "  flash: %zu bytes of model, and the program; RAM: %zu bytes of colours and depths, or "
-                    "%zu in bands,\n    %zu of vertices, or in bands %zu and %zu of rows of triangles (fewer "
-                    "or none "
-                    "is slower), "
-                    "%zu of nodes and joints\n",
+                    "%zu in bands,\n    %zu of vertices, or in bands %zu and %zu of rows of triangles "
+                    "(fewer or none is slower), %zu of nodes and joints\n",
                     f.model_bytes, f.frame_bytes, f.band_bytes, f.cache_bytes, f.kept_bytes, f.row_bytes,
                     f.pose_bytes);
 }

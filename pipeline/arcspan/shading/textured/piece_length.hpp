@@ -39,16 +39,19 @@ struct PerspectiveSlope {
   }
 };
 
-/// The pixels of a piece, and the q at which it is wrong by two pixels, or more than that q.
+/// The binary logarithm of the most pixels by which perspective may move a texel. Where texels are larger
+/// than that, half a texel would be more.
+inline constexpr int kLogMostPixels = 1;
+
 struct PieceLength {
   std::uint8_t pixels;
-  std::int32_t pixel_q;
+  std::int32_t pixel_q;  ///< from this q on a piece of so many pixels stays within kLogMostPixels
 };
 
 /// Returns the piece over which u and v may be linear at the least q of a triangle, with 0 pixels if that is
 /// less than one: the error, n^2/4 |q'| |s' q - s q'| / q^3 texels, stays below 0.45, and in pixels, n^2/4
-/// |q'| / q, below 2, which is less where texels are larger. `u` and `v` are the slopes; `u_bits` and
-/// `v_bits` the binary logarithms of the texels that a relative u or v of 1 has.
+/// |q'| / q, below 2^kLogMostPixels. `u` and `v` are the slopes; `u_bits` and `v_bits` the binary logarithms
+/// of the texels that a relative u or v of 1 has.
 [[nodiscard]] constexpr PieceLength piece_length(std::int32_t least_q, const PerspectiveSlope& u,
                                                  const PerspectiveSlope& v, int u_bits, int v_bits) {
   constexpr auto kLongest = static_cast<std::uint8_t>(kLongestPiece);
@@ -57,12 +60,12 @@ struct PieceLength {
   const std::int32_t along_u = low_log2(u.most) + 256 * u_bits;
   const std::int32_t along_v = low_log2(v.most) + 256 * v_bits;
   const std::int32_t slope = (along_u > along_v ? along_u : along_v) + kLogError;
-  constexpr std::int32_t kLimit = 217;  // of 1.8
+  constexpr std::int32_t kLimit = 217;  // log2(4 * 0.45), 8 fraction bits
   // All as Linear; the product of the slope is 2^-28 of what it stands for.
   const std::int32_t square = kLimit + 3 * low_log2(static_cast<std::uint32_t>(least_q)) - 256 * 28 -
                               (low_log2(dq) + kLogError) - slope;
   const std::int32_t of_pixels =
-      768 + low_log2(static_cast<std::uint32_t>(least_q)) - low_log2(dq) - kLogError;
+      256 * (2 + kLogMostPixels) + low_log2(static_cast<std::uint32_t>(least_q)) - low_log2(dq) - kLogError;
   const std::int32_t room = of_pixels > square ? (of_pixels - square) >> 8 : 0;
   const std::int32_t pixel_q = room > 31 ? 0 : least_q >> room;
   const std::int32_t log = (square < of_pixels ? square : of_pixels) >> 1;

@@ -179,8 +179,8 @@ class PerspectiveTexture {
     const auto inverse = static_cast<std::int32_t>(detail::reciprocal_mantissa(q << zeros) << 14);
     return {multiply_high(wrap_shl(u_, zeros - 1), inverse), multiply_high(wrap_shl(v_, zeros - 1), inverse)};
   }
-  /// Returns the length of the next piece: it grows with the distance of 1/w from its least value, because
-  /// the error falls with the cube of 1/w in texels, and with 1/w in pixels.
+  /// Returns the length of the next piece. It doubles as long as 1/w is large enough for that: the error in
+  /// texels falls with the cube of 1/w, that in pixels with 1/w.
   [[nodiscard]] constexpr std::int32_t length_of_piece(std::int32_t left) const {
     const std::int32_t fall = triangle_->q.dx.raw() < 0 ? triangle_->q.dx.raw() : 0;
     std::int32_t length = triangle_->piece;
@@ -191,7 +191,7 @@ class PerspectiveTexture {
       threshold += (threshold >> 1) + (threshold >> 4) + (threshold >> 5);  // times 2^(2/3), a bit more
       const std::int32_t end = wrap_add(q_, wrap_mul(fall, longer < left ? longer : left));
       if (end < 0 || static_cast<std::uint32_t>(end) < threshold) break;
-      if (static_cast<std::uint32_t>(end) >> 2 < pixel_q) break;
+      if (static_cast<std::uint32_t>(end) >> 2 < pixel_q) break;  // twice the length needs 4 times the 1/w
       pixel_q <<= 2;
       length = longer;
     }

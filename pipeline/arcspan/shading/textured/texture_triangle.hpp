@@ -42,7 +42,7 @@ struct TextureTriangle : TextureLevel {
   std::uint32_t v_origin;  ///< least v
   std::int32_t least_q;    ///< least 1/w of the vertices
   std::int32_t piece_q;    ///< 1/w for which `piece` is made
-  std::int32_t pixel_q;    ///< 1/w at which `piece` is wrong by two pixels
+  std::int32_t pixel_q;    ///< PieceLength::pixel_q
   std::uint8_t u_shift;    ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t v_shift;    ///< the same for v
   std::uint8_t piece;      ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
@@ -309,12 +309,13 @@ template <class Steps>
   return texels * near_over_w.range() <= std::uint64_t{28} * static_cast<std::uint32_t>(near_over_w.least);
 }
 
-/// True if linear mapping moves texels by at most two pixels along x and along y: d (r - 1) / 4, if d is the
-/// extent in pixels. Where texels are larger than pixels, half a texel is more.
+/// True if linear mapping moves texels along x and along y by at most 2^kLogMostPixels pixels: d (r - 1) / 4,
+/// if d is the extent in pixels and r the ratio of the distances.
 [[nodiscard]] constexpr bool is_linear_within_pixels(std::uint32_t width, std::uint32_t height,
                                                      const Extent& near_over_w) {
   const std::uint64_t extent = width > height ? width : height;  // 4 fraction bits
-  return extent * near_over_w.range() <= std::uint64_t{128} * static_cast<std::uint32_t>(near_over_w.least);
+  return extent * near_over_w.range() <=
+         (std::uint64_t{64} << kLogMostPixels) * static_cast<std::uint32_t>(near_over_w.least);
 }
 
 }  // namespace detail

@@ -16,10 +16,10 @@
 namespace arcspan::tools {
 namespace {
 
-/// Vertices that are posed for all clips together, aimed at.
+/// How many vertices are posed for all clips together, aimed at.
 constexpr std::size_t kMostCheckedVertices = 2'000'000;
 
-/// A vertex of the rig and how many joints it follows when its weights are stored, the first ones.
+/// A vertex of the rig, and how many of its joints, the first ones, still have a weight when it is stored.
 struct SharedVertex {
   std::uint32_t source = 0;
   std::size_t joints = 0;
@@ -41,8 +41,8 @@ std::vector<SharedVertex> shared_vertices(const FixedModel& model) {
   return shared;
 }
 
-/// The first of some joints that takes a vertex as far as sums have room for, from the origin or from where
-/// its first joint takes it; nothing if none does. `mesh` has the unit and the origin.
+/// The first joint that takes a vertex so far from the origin, or from where its first joint takes it, that
+/// the pipeline's weighted sum may overflow; nothing if none does. `mesh` has the unit and the origin.
 std::optional<std::size_t> far_joint(const RigPoser& poser, const RigVertex& vertex, std::size_t joints,
                                      const FixedMesh& mesh) {
   const double room = 2.0 * JointMatrix::kFarthest * mesh.unit;
@@ -74,8 +74,8 @@ void check_joints_are_near(const FixedModel& model, const std::string& subject) 
       throw Failure(
           subject,
           "the node " + std::to_string(node) + " '" + rig.nodes[node].name +
-              "' moves a vertex that it shares with other joints 4 extents of the model away from it "
-              "or from where they move it, " +
+              "' moves a vertex of several joints 4 extents of the model or more away from the middle of "
+              "the model, or from where another joint moves it, " +
               when + "; --pose leaves the nodes out");
     }
   };

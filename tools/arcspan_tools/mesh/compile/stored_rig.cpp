@@ -174,7 +174,7 @@ void extend_by_morphs(Box& box, const Rig& rig, const std::vector<Affine>& place
 
 using Moments = std::vector<RigMoment>;
 
-/// Some moments of each clip, and rest.
+/// Some moments of each clip; first rest, as a clip of one moment.
 std::vector<Moments> moments_of(const Rig& rig) {
   constexpr std::size_t kMost = 8;  // of a clip
   std::vector<Moments> clips = {{{}}};
@@ -186,14 +186,14 @@ std::vector<Moments> moments_of(const Rig& rig) {
   return clips;
 }
 
-/// Makes `box` hold the vertices in fades from moments of one clip to moments of another, of `most` pairs.
+/// Makes `box` hold the vertices in fades between two clips, from at most `most` pairs of their moments.
 void extend_by_fades(Box& box, const Model& model, const Moments& from, const Moments& to, std::size_t most) {
   const std::size_t all = from.size() * to.size();
   const std::size_t taken = std::min(all, most);
   for (std::size_t i = 0; i < taken; ++i) {
     const std::size_t pair = i * all / taken;
     const std::size_t row = pair / to.size();
-    // Each row begins with another column, so that few pairs have all moments of both.
+    // In a table of all pairs each row is rotated by one more, so that few pairs have all moments of both.
     const RigMoment& other = to[(pair + row) % to.size()];
     for (const double weight : {0.25, 0.5, 0.75})
       extend(box, model, faded_pose(*model.rig, from[row], other, weight));
@@ -202,7 +202,7 @@ void extend_by_fades(Box& box, const Model& model, const Moments& from, const Mo
 
 /// Makes `box` hold the vertices in some fades between all clips, each with each and with itself.
 void extend_by_fades(Box& box, const Model& model) {
-  constexpr std::size_t kMostPosed = 1'000'000;  // vertices and nodes, aimed at
+  constexpr std::size_t kMostPosed = 1'000'000;  // vertices and nodes for each weight, aimed at
   const std::vector<Moments> clips = moments_of(*model.rig);
   const std::size_t pairs = clips.size() * (clips.size() + 1) / 2;
   const std::size_t most = kMostPosed / (model.vertex_count() + model.rig->nodes.size()) / pairs;
@@ -212,15 +212,15 @@ void extend_by_fades(Box& box, const Model& model) {
   }
 }
 
-/// Whether positions of 16 bits, made for `box`, have room for `inner`, but for a pixel of a model of 256:
-/// the longest side in all directions.
-bool has_room(const Box& box, const Box& inner) {
+/// Whether 16-bit positions made for `box` hold `needed`. They span a cube of the longest side of `box`,
+/// beyond which `needed` may reach by 1/256: a pixel of a model of 256 pixels.
+bool has_room(const Box& box, const Box& needed) {
   const Vec3 sides = box.high - box.low;
   const double side = std::max({sides.x, sides.y, sides.z});
   const Vec3 room = Vec3{side, side, side} * 0.5;
   const Vec3 middle = (box.low + box.high) * 0.5;
-  const Vec3 low = inner.low - (middle - room);
-  const Vec3 high = middle + room - inner.high;
+  const Vec3 low = needed.low - (middle - room);
+  const Vec3 high = middle + room - needed.high;
   return std::min({low.x, low.y, low.z, high.x, high.y, high.z}) >= -side / 256;
 }
 
@@ -230,7 +230,7 @@ Box with_margin(const Box& box) {
   return {box.low - margin, box.high + margin};
 }
 
-/// A box around the stored vertices and all poses, and around fades if it has no room for them.
+/// A box around the stored vertices and poses of all clips, and around fades if it has no room for them.
 Box reach_of(const Model& model, const std::vector<Affine>& places) {
   constexpr std::size_t kMostPosed = 4'000'000;
   const Vec3 any = model.parts[0].mesh.positions[0];

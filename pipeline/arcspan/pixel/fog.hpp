@@ -62,7 +62,7 @@ class Fog {
     return Status::kOk;
   }
 
-  /// The share of the fog at a 16-bit depth, 0...255, and 255 from `end` on. Its error is at most 1.4 if
+  /// The share of the fog at a 16-bit depth, 0...255, and 255 from `end` on. Its error is at most 1.5 if
   /// far_plane is at most 1000 near_plane, and end - start at least 1/1000 of `end`.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint32_t depth) const {
     const std::uint32_t biased =
@@ -99,9 +99,12 @@ class Fog {
     const std::int64_t beyond = (depth - kNearest) * (far_plane - range.near_plane);  // of the near plane
     if (range.orthographic) return (std::int64_t{range.near_plane} << 16) + (beyond << 16) / kSpan;
     // By ClipTransform::depth(): near/w = 1 - (depth - 256) / 65023 * (1 - near/far), so that
-    // w = near far span / (far span - beyond), with far span below 2^47.
-    const std::int64_t ratio = ((far_plane * kSpan) << 16) / (far_plane * kSpan - beyond);  // w / near
-    return range.near_plane * ratio;
+    // w = near far span / (far span - beyond), with far span below 2^47. Thin fog needs 32 fraction bits.
+    const std::int64_t divisor = far_plane * kSpan - beyond;
+    const std::int64_t dividend = (far_plane * kSpan) << 16;
+    const std::int64_t ratio =
+        ((dividend / divisor) << 16) + ((dividend % divisor) << 16) / divisor;  // w / near
+    return (range.near_plane * ratio) >> 16;
   }
   /// The share at a depth, kShareBits fraction bits, not clamped: below 0 where the fog has not begun.
   [[nodiscard]] static constexpr std::int64_t share_at(const FogRange& range, std::int32_t depth) {

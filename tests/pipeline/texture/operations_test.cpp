@@ -453,6 +453,20 @@ TEST_CASE("fog is within 1.5 steps of 255 at every depth, and complete at its en
   CHECK(incomplete == 0);
 }
 
+TEST_CASE("fog a thousandth of its distance thick is as exact", "[textures]") {
+  const auto range =
+      GENERATE(FogRange{16450, 968772, 17045, 17064}, FogRange{337215, 46234066, 585329, 586011},
+               FogRange{2000001, 2000000001, 2090000, 2092091});
+  Fog made;
+  REQUIRE(ok(Fog::make(range, kFogColour, made)));
+  double worst = 0;
+  for (std::int32_t i = 256; i <= 65535 - 256; ++i) {
+    const auto depth = static_cast<std::uint16_t>(i);
+    worst = std::max(worst, std::abs(made.share(depth) - share_of_fog(range, depth) * 255));
+  }
+  CHECK(worst <= 1.5);
+}
+
 TEST_CASE("fog grows linearly with the distance of what is drawn", "[textures]") {
   const ClipTransform transform = camera();
   for (double w = kNear; w <= kFar; w += 61) {

@@ -95,14 +95,15 @@ struct Wireframe : Colour {
 
   /// The lighting of `Colour` with the bias.
   struct Lighting : Colour::Lighting {
-    using Base = typename Colour::Lighting;
+    // Not `Base`: nested operations take that of `Colour`.
+    using Plain = typename Colour::Lighting;
     constexpr Lighting() = default;
-    constexpr explicit Lighting(const Base& colour, DepthBias nearer = {}) : Base(colour), bias(nearer) {}
+    constexpr explicit Lighting(const Plain& colour, DepthBias nearer = {}) : Plain(colour), bias(nearer) {}
     /// Changes the bias, or another part of the material (PreparedMaterial::with).
     constexpr void set(DepthBias nearer) { bias = nearer; }
     template <class Part>
-    requires requires(Base& base, const Part& part) { {base.set(part)}; }
-    constexpr void set(const Part& part) { Base::set(part); }
+    requires requires(Plain& base, const Part& part) { {base.set(part)}; }
+    constexpr void set(const Part& part) { Plain::set(part); }
 
     DepthBias bias;
   };

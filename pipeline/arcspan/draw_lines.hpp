@@ -71,8 +71,8 @@ class LineStage {
     const std::int32_t top = pixel_of(middle.y - 8 * size + 8) + origin.y;
     const Rect rect = intersection({left, top, left + size, top + size}, scissor_.rect());
     if (rect.empty()) return;
-    status_ = draw_rectangle<Method>(rect, static_cast<std::uint16_t>(biased_depth(middle.z, bias_.units)),
-                                     target_);
+    const auto depth = static_cast<std::uint16_t>(biased_depth(middle.z, bias_.units));
+    status_ = draw_rectangle<Method>(rect, depth, bias_.units, target_);
   }
 
  private:

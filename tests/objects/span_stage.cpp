@@ -59,7 +59,7 @@ Status draw_strokes(
     const LineCommand& line, const RasterOrigin& origin, const Rect& rect,
     const detail::RowTarget<typename Method::Lighting, hal::Framebuffer<Format>, Depth>& target) {
   const Status status = detail::draw_line_command<Method>(line, origin, target);
-  return ok(status) ? detail::draw_rectangle<Method>(rect, 500, target) : status;
+  return ok(status) ? detail::draw_rectangle<Method>(rect, 500, 0, target) : status;
 }
 #define ARCSPAN_INSTANTIATE_STROKES(METHOD, FORMAT, DEPTH)  \
   template Status draw_strokes<METHOD>(                     \

@@ -17,7 +17,7 @@ namespace arcspan {
 /// How much nearer lines and points are drawn than they are, in units of the 16-bit depth. A line has the
 /// depth of its own points, a pixel of a surface that of the pixel's centre: without a bias, a surface hides
 /// about half of the pixels of its edges. It shows an edge wherever the surface's depth changes by less than
-/// twice the bias per pixel.
+/// twice the bias per pixel. Fog is that of a line's own depth.
 struct DepthBias {
   static constexpr std::uint16_t kDefault = 256;
 

@@ -26,7 +26,8 @@ struct LineCommand {
   std::int16_t left;
   std::int16_t right;  ///< column after the last
   bool flat;
-  bool leftwards;  ///< leads to the left on its way down
+  bool leftwards;      ///< leads to the left on its way down
+  std::uint16_t bias;  ///< how much nearer `depth` is than the line, whose fog is that of where it is
   /// If `flat`: the first column whose centre is not left of the line, at the lower border of the first row;
   /// unset if there is one row. Else: the column that contains the line at the centre of the first row.
   EdgeWalk edge;
@@ -88,6 +89,7 @@ constexpr void prepare_line(const RasterPosition& a, const RasterPosition& b, st
   const std::int32_t dx = bottom.x - top.x;
   const std::int32_t dy = bottom.y - top.y;
   line.leftwards = dx < 0;
+  line.bias = bias;
   const std::int32_t width = dx < 0 ? -dx : dx;
   const std::int32_t left = dx < 0 ? bottom.x : top.x;
   line.first_row = static_cast<std::int16_t>(detail::pixel_of(top.y));

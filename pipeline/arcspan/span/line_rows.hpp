@@ -11,10 +11,56 @@
 #include <arcspan/target.hpp>
 
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 namespace arcspan {
 
 namespace detail {
+
+/// True if the pixels of `Run` are in fog.
+template <class Target, class Run>
+inline constexpr bool kIsInFog = DepthColour<std::remove_cvref_t<decltype(std::declval<const Run&>().colour(
+    std::declval<const typename Target::Lighting&>()))>>;
+
+/// A colour in fog that is drawn nearer than it is.
+template <class C>
+struct BiasedColour : C {
+  std::uint32_t bias;
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto at_depth(std::uint32_t depth) const {
+    return C::at_depth(depth + bias);
+  }
+};
+
+/// The walker of a method of one colour in fog, whose pixels are drawn nearer by `bias`: the fog is that of
+/// where they are.
+template <class Walker>
+struct BiasedWalker {
+  struct Run : Walker::Run {
+    std::uint16_t bias;
+    constexpr Run(const BiasedWalker& from, const RowStart& start)
+        : Walker::Run(from.walker.row(start)), bias(from.bias) {}
+    template <class Lighting>
+    [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
+      using Colour = std::remove_cvref_t<decltype(Walker::Run::colour(lighting))>;
+      return BiasedColour<Colour>{Walker::Run::colour(lighting), bias};
+    }
+  };
+  Walker walker;
+  std::uint16_t bias;
+  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const { return Run(*this, start); }
+};
+
+/// The walker itself if it draws no fog: then a bias costs nothing here.
+template <class Target, class Walker>
+[[nodiscard]] ARCSPAN_INLINE constexpr auto behind_bias(const Walker& walker,
+                                                        [[maybe_unused]] std::uint16_t bias) {
+  if constexpr (kIsInFog<Target, typename Walker::Run>) {
+    return BiasedWalker<Walker>{walker, bias};
+  } else {
+    return walker;
+  }
+}
 
 /// Draws a run of a method of one colour; `z` is the depth of its first pixel, `dz` its gradient.
 template <class Walker, class Target>
@@ -67,7 +113,8 @@ class LineDrawer {
   }
 
   template <class Walker>
-  [[nodiscard]] constexpr Status operator()(const Walker& walker) const {
+  [[nodiscard]] constexpr Status operator()(const Walker& of_method) const {
+    const auto walker = behind_bias<Target>(of_method, line_.bias);
     return line_.flat ? draw_flat(walker, target_) : draw_tall(walker, target_);
   }
 
@@ -138,13 +185,15 @@ template <OneColour Method, class Target>
   return Method::walk(nothing, LineDrawer<Target>(line, origin, target));
 }
 
-/// Draws the pixels of a rectangle of one depth; it is not empty and lies within the scissor of `target`.
+/// Draws the pixels of a rectangle of one depth, which is `bias` nearer than where it is; it is not empty and
+/// lies within the scissor of `target`.
 template <OneColour Method, class Target>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_rectangle(const Rect& rect, std::uint16_t depth,
-                                                              const Target& all) {
+                                                              std::uint16_t bias, const Target& all) {
   const Target target = all;  // a copy, because the members of a reference would be loaded for every pixel
   typename Method::Prepared nothing{};
-  return Method::walk(nothing, [&](const auto& walker) {
+  return Method::walk(nothing, [&](const auto& of_method) {
+    const auto walker = behind_bias<Target>(of_method, bias);
     const Linear z = Linear::from_raw(std::int32_t{depth} << Linear::kFraction);
     RowMemory<Target> memory(target, rect.top);
     for (std::int32_t y = rect.top; y < rect.bottom; ++y, memory.next()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Combinations of surfaces, operations and pixel formats against a plain interpreter in double precision.
 #include <arcspan/draw.hpp>
+#include <arcspan/draw/wireframe.hpp>
+#include <arcspan/draw_lines.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/gray4.hpp>
@@ -473,6 +475,47 @@ TEST_CASE("fog grows linearly with the distance of what is drawn", "[textures]")
     const auto near_over_w = static_cast<std::int32_t>(std::lround(std::ldexp(kNear / w, 29)));
     const double share = fog().share(transform.depth(near_over_w)) / 255.0;
     REQUIRE(std::abs(share - std::clamp((w - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0)) <= 0.004);
+  }
+}
+
+TEST_CASE("lines and points have the fog of where they are, whatever their bias", "[textures]") {
+  using Misty = WithOperation<Unlit, Fogged>;
+  using Wires = Wireframe<WithOperation<Misty, Opacity<>>>;
+  constexpr std::int16_t kSide = 3000;
+  constexpr std::array<PackedNormal, 3> kNormals{};
+  constexpr std::array<std::uint8_t, 3> kIndices{0, 1, 2};
+  const int kind = GENERATE(0, 1, 2);  // edges, lines, points
+  const ClipTransform transform = camera();
+  const Misty::Lighting misty(Unlit::lighting({0, 0, 0}), parameters<Fogged>());
+  const Wires::Lighting wires(WithOperation<Misty, Opacity<>>::Lighting(misty, Opacity<>{32}),
+                              DepthBias{2000});
+  for (std::int16_t z = 20000; z >= -28000; z = static_cast<std::int16_t>(z - 1600)) {
+    const std::array<ObjectPosition, 3> corners{{{-kSide, -kSide, z}, {kSide, -kSide, z}, {0, kSide, z}}};
+    const double share = std::clamp((30000.0 - z - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0);
+    Picture<Rgb888> picture;
+    picture.frame.clear({0, 0, 255});
+    picture.depth.clear();
+    if (kind == 0) {
+      MeshView mesh;
+      REQUIRE(ok(MeshView::make(corners, kNormals, kIndices, mesh)));
+      REQUIRE(ok(draw_mesh<Wires>(mesh, transform, wires, picture.frame, picture.depth).status));
+    } else if (kind == 1) {
+      const ObjectLine line{corners[0], corners[2]};
+      REQUIRE(
+          ok(draw_lines<Misty>({&line, 1}, transform, misty, picture.frame, picture.depth, DepthBias{2000})));
+    } else {
+      REQUIRE(ok(
+          draw_points<Misty>(corners, 3, transform, misty, picture.frame, picture.depth, DepthBias{2000})));
+    }
+    int drawn = 0;
+    for (std::int32_t y = 0; y < kHeight; ++y) {
+      for (std::int32_t x = 0; x < kWidth; ++x) {
+        if (picture.depths[picture.index(x, y)] == DepthBuffer::kFarthest) continue;
+        ++drawn;
+        REQUIRE(std::abs(picture.frame.pixel(x, y).r - share * kFogColour.r) <= 2);
+      }
+    }
+    CHECK(drawn > 6);
   }
 }
 

@@ -202,6 +202,24 @@ TEST_CASE("a mirrored picture with a side of one or two texels is resized withou
   }
 }
 
+TEST_CASE("a row of few texels keeps their colours where it is enlarged") {
+  const std::int32_t width = GENERATE(4, 16);
+  RgbaImage picture(width, 1);
+  for (std::int32_t x = 0; x < width; ++x)
+    picture.pixels[static_cast<std::size_t>(x)] = x % 3 == 0 ? Rgba8{255, 0, 0, 255} : Rgba8{0, 0, 255, 255};
+  for (const TextureFilter filter : {TextureFilter::kNearest, TextureFilter::kBilinear}) {
+    if (width < 8 && filter == TextureFilter::kBilinear) continue;  // which mixes neighbours anyway
+    TextureOptions options = as("rgb565");
+    options.sampler = {TextureWrap::kRepeat, TextureWrap::kRepeat, filter};
+    const RgbaImage level = make_texture(picture, options, "test").levels[0];
+    REQUIRE(level.height == 8);
+    for (std::int32_t y = 0; y < level.height; ++y) {
+      for (std::int32_t x = 0; x < level.width; ++x)
+        CHECK(level.at(x, y) == picture.at(x * width / level.width, 0));
+    }
+  }
+}
+
 TEST_CASE("a palette holds the colours of the picture, if it can; otherwise they are chosen") {
   RgbaImage picture(16, 16);
   for (std::size_t i = 0; i < 256; ++i) {

@@ -29,14 +29,27 @@ stbir_edge edge_of(TextureWrap wrap, std::int32_t side) {
   return wrap == TextureWrap::kClamp || side <= 2 ? STBIR_EDGE_CLAMP : STBIR_EDGE_REFLECT;
 }
 
-RgbaImage resized(const RgbaImage& from, std::int32_t width, std::int32_t height, stbir_filter filter,
+/// The filter for an axis of the largest level. One that keeps its side is copied, because the default would
+/// blur it. Texels that are drawn as squares stay squares: without it a picture of few texels, such as a
+/// palette, would have colours of its neighbours in the middle of each.
+stbir_filter filter_of(std::int32_t from, std::int32_t to, TextureFilter drawn_by) {
+  const bool is_copied = from == to || (from < to && drawn_by == TextureFilter::kNearest);
+  return is_copied ? STBIR_FILTER_BOX : STBIR_FILTER_DEFAULT;
+}
+
+struct AxisFilters {
+  stbir_filter u;
+  stbir_filter v;
+};
+
+RgbaImage resized(const RgbaImage& from, std::int32_t width, std::int32_t height, const AxisFilters& filters,
                   const TextureSampler& sampler) {
   RgbaImage to(width, height);
   constexpr int kAlphaAt = 3;
   const int done =
       stbir_resize(&from.pixels[0].r, from.width, from.height, 0, &to.pixels[0].r, width, height, 0,
                    STBIR_TYPE_UINT8, 4, kAlphaAt, 0, edge_of(sampler.u, from.width),
-                   edge_of(sampler.v, from.height), filter, filter, STBIR_COLORSPACE_SRGB, nullptr);
+                   edge_of(sampler.v, from.height), filters.u, filters.v, STBIR_COLORSPACE_SRGB, nullptr);
   if (done == 0) throw std::bad_alloc();  // nothing else can go wrong in it
   return to;
 }
@@ -66,10 +79,13 @@ std::vector<RgbaImage> mip_levels(const RgbaImage& picture, const TextureSize& s
   const std::int32_t height = 1 << size.height_bits;
   std::vector<RgbaImage> levels;
   const bool fits = picture.width == width && picture.height == height;
-  levels.push_back(fits ? picture : resized(picture, width, height, STBIR_FILTER_DEFAULT, sampler));
+  const AxisFilters filters{filter_of(picture.width, width, sampler.filter),
+                            filter_of(picture.height, height, sampler.filter)};
+  levels.push_back(fits ? picture : resized(picture, width, height, filters, sampler));
   // Each is made of the largest, so that it is rounded once.
   for (unsigned i = 1; i < size.levels; ++i) {
-    levels.push_back(resized(levels[0], width >> i, height >> i, STBIR_FILTER_BOX, sampler));
+    levels.push_back(
+        resized(levels[0], width >> i, height >> i, {STBIR_FILTER_BOX, STBIR_FILTER_BOX}, sampler));
   }
   return levels;
 }

@@ -210,6 +210,11 @@ TEST_CASE("MTL: a picture is looked for beside the material file, then beside th
   CHECK(load_model_file(obj).parts[0].look.material.texture->picture.pixels[0].r == 1);
   (void)folder.file("sub/t.ppm", "P6 1 1 255 \2\2\2");
   CHECK(load_model_file(obj).parts[0].look.material.texture->picture.pixels[0].r == 2);
+  (void)folder.file("sub/a.mtl", "newmtl m\nmap_Kd ../t.ppm\n");
+  const Model back = load_model_file(obj);
+  CHECK(back.warnings.empty());
+  REQUIRE(back.parts[0].look.material.texture != nullptr);
+  CHECK(back.parts[0].look.material.texture->picture.pixels[0].r == 1);
 }
 
 TEST_CASE("OBJ: faces are smoothed within their group, and not at all by s off") {

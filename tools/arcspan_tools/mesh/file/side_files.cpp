@@ -10,7 +10,7 @@
 namespace arcspan::tools {
 namespace {
 
-/// Whether a path stays within the folder that it is relative to.
+/// Whether a path without `x/..` stays within the folder that it is relative to.
 bool stays_inside(const std::filesystem::path& path) {
   const bool has_drive = path.native().size() > 1 && path.native()[1] == ':';
   return !path.empty() && path.is_relative() && !has_drive &&
@@ -42,8 +42,10 @@ SideFiles side_files_of(const std::string& model) {
   const std::filesystem::path folder = std::filesystem::path(model).parent_path();
   return [folder](std::string name) -> std::optional<ReferredFile> {
     std::replace(name.begin(), name.end(), '\\', '/');
-    const std::filesystem::path path = folder / name;
-    const std::optional<std::filesystem::path> file = stays_inside(name) ? find_file(path) : std::nullopt;
+    // Materials in a folder of their own write `../textures/a.png`, which is in the model's folder again.
+    const std::filesystem::path inside = std::filesystem::path(name).lexically_normal();
+    const std::optional<std::filesystem::path> file =
+        stays_inside(inside) ? find_file(folder / inside) : std::nullopt;
     if (!file) return std::nullopt;
     return ReferredFile{file->string(), read_whole_file(*file, kMostFileBytes)};
   };

@@ -417,6 +417,18 @@ TEST_CASE("Collada: opacity is left out, with a warning") {
         std::vector<std::string>{"left out: opacity of materials (1)"});
 }
 
+TEST_CASE("Collada: a constant material shows its emission without light") {
+  std::string text = collada_polygon("0 0 0 2 0 0 3 1 0 2 2 0 0 2 0 -1 1 0");
+  const std::string lambert = "<lambert><transparency><float>0.5</float></transparency></lambert>";
+  text.replace(text.find(lambert), lambert.size(),
+               "<constant><emission><color>0.25 0.5 0.75 1</color></emission></constant>");
+  const TemporaryFolder folder;
+  const FileMaterial material = load_model_file(folder.file("a.dae", text)).parts[0].look.material;
+  CHECK(material.unlit);
+  CHECK(material.colour == Vec3{0.25, 0.5, 0.75});
+  CHECK(material.emission == Vec3{});
+}
+
 TEST_CASE("Collada: nodes without a mesh are no faces") {
   CHECK(complaint("a.dae",
                   "<COLLADA version=\"1.4.1\"><library_visual_scenes><visual_scene id=\"s\"><node id=\"n\">"

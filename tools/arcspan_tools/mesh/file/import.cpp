@@ -151,9 +151,18 @@ class SceneDump {
     left_out_[kind] = left_out_.value(kind, std::size_t{0}) + count;
   }
 
+  /// Whether a material is `constant` of Collada: it has no colour under light, only emission.
+  [[nodiscard]] bool is_constant(const aiMaterial& material) const {
+    int model = 0;
+    return format_ == MeshFormat::kCollada &&
+           material.Get(AI_MATKEY_SHADING_MODEL, model) == aiReturn_SUCCESS &&
+           model == aiShadingMode_NoShading;
+  }
+
   /// The names and the material of a mesh, as the importing library describes them.
   nlohmann::json look_of(const aiMesh& mesh, const aiNode& node) {
-    nlohmann::json look{{"names", nlohmann::json::array()}, {"material", ""}, {"two_sided", false}};
+    nlohmann::json look{
+        {"names", nlohmann::json::array()}, {"material", ""}, {"two_sided", false}, {"unlit", false}};
     for (const aiString& name : {mesh.mName, node.mName}) {
       if (name.length > 0) look["names"].push_back(name.C_Str());
     }
@@ -177,17 +186,20 @@ class SceneDump {
         look[key] = {c.r * factor, c.g * factor, c.b * factor};
     };
     const bool is_fbx = format_ == MeshFormat::kFbx;
-    add_colour("diffuse", 1, AI_MATKEY_COLOR_DIFFUSE);
+    const bool unlit = is_constant(material);
+    look["unlit"] = unlit;
+    if (!unlit) add_colour("diffuse", 1, AI_MATKEY_COLOR_DIFFUSE);
+    add_colour(unlit ? "diffuse" : "emission", 1, AI_MATKEY_COLOR_EMISSIVE);
     add_colour("specular", is_fbx ? number(AI_MATKEY_SHININESS_STRENGTH).value_or(1) : 1,
                AI_MATKEY_COLOR_SPECULAR);
-    add_colour("emission", 1, AI_MATKEY_COLOR_EMISSIVE);
     if (const auto shininess = number(AI_MATKEY_SHININESS)) look["shininess"] = *shininess;
     // Opacity of Collada and 3DS is left out, because exporters write it in two opposite ways. 0 and 1 may
     // both mean opaque.
     const auto opacity = number(AI_MATKEY_OPACITY);
     if (is_fbx && opacity) look["opacity"] = *opacity;
     if (!is_fbx && opacity > 0 && opacity < 1) leave_out("opacity of materials");
-    for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+    for (const aiTextureType type :
+         {unlit ? aiTextureType_EMISSIVE : aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
       if (material.GetTexture(type, 0, &text) != aiReturn_SUCCESS) continue;
       look["texture"] = text.C_Str();
       add_picture(text);

@@ -31,6 +31,7 @@ class LookReader {
     material.specular = colour(listed, "specular");
     material.emission = colour(listed, "emission").value_or(Vec3{});
     material.two_sided = listed["two_sided"].get<bool>();
+    material.unlit = listed["unlit"].get<bool>();
     if (listed.contains("shininess")) {
       material.shininess =
           static_cast<std::int32_t>(std::lround(std::clamp(listed["shininess"].get<double>(), 1.0, 256.0)));

@@ -274,7 +274,22 @@ TEST_CASE("glTF: alpha modes of materials with a texture and without") {
   CHECK(patched("/materials/0/alphaMode", "FOO").warnings == Lines{"left out: unknown alpha modes (1)"});
   CHECK(material(quarter, {{"alphaMode", "MASK"}}).opacity == 0);
   CHECK(material(quarter, {{"alphaMode", "MASK"}, {"alphaCutoff", 0.2}}).opacity == 1);
+  CHECK(material({1, 1, 1}, {{"alphaMode", "MASK"}, {"alphaCutoff", 1}}).opacity == 1);
+  CHECK(material({1, 1, 1}, {{"alphaMode", "MASK"}, {"alphaCutoff", 1.5}}).opacity == 0);
   CHECK(material(quarter, {{"alphaMode", "BLEND"}}).alpha_mode == AlphaMode::kBlend);
+}
+
+TEST_CASE("glTF: opacity of vertices is left out, with a warning where it would be seen") {
+  json gltf = square();
+  gltf["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 3;
+  gltf["accessors"].push_back(
+      {{"bufferView", 2}, {"componentType", 5121}, {"normalized", true}, {"count", 4}, {"type", "VEC4"}});
+  gltf["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 108}, {"byteLength", 16}});
+  gltf["buffers"][0]["byteLength"] = 124;
+  const std::string bin = buffer() + "\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x40\xFF\xFF\xFF\xFF\xFF\xFF\xFF\x40";
+  CHECK(loaded(gltf, bin).warnings.empty());
+  gltf["materials"][0]["alphaMode"] = "BLEND";
+  CHECK(loaded(gltf, bin).warnings == Lines{"left out: opacity of vertices (2)"});
 }
 
 TEST_CASE("glTF: what is not drawn is named once") {
@@ -393,6 +408,9 @@ TEST_CASE("glTF: the texture of the base colour, beside the file or within it") 
   check(load_model_file(folder.file("within.gltf", gltf.dump())));
   gltf["images"][0] = {{"uri", "data:image/png;base64,UDUKMSAxCjI1NQqA"}};
   check(load_model_file(folder.file("data.gltf", gltf.dump())));
+  json hidden = gltf;  // by the alpha of its base colour
+  hidden["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0};
+  CHECK(load_model_file(folder.file("hidden.gltf", hidden.dump())).parts[0].look.material.alpha_cutoff > 1);
 
   json& info = gltf["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
   info["extensions"]["KHR_texture_transform"] = {

@@ -324,6 +324,17 @@ TEST_CASE("PLY: text and both byte orders give the same mesh") {
   CHECK(big.triangles == text.triangles);
 }
 
+TEST_CASE("PLY: opacity of vertices is left out, with a warning") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  CHECK(
+      warnings_of("a.ply", header + "0 0 0 9 9 9 255\n1 0 0 9 9 9 255\n0 1 0 9 9 9 255\n3 0 1 2\n").empty());
+  CHECK(warnings_of("a.ply", header + "0 0 0 9 9 9 255\n1 0 0 9 9 9 254\n0 1 0 9 9 9 0\n3 0 1 2\n") ==
+        std::vector<std::string>{"left out: opacity of vertices (2)"});
+}
+
 TEST_CASE("PLY: what can be wrong with one") {
   const std::string head = "ply\nformat ascii 1.0\n";
   const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";

@@ -23,6 +23,7 @@ inline constexpr std::int64_t kMostCorners = 4096;
 inline constexpr const char* kWrongNormals = "normals that are not finite numbers";
 inline constexpr const char* kWrongTexturePoints = "texture coordinates that are not finite numbers";
 inline constexpr const char* kWrongColours = "vertex colours that are not finite numbers";
+inline constexpr const char* kOpacityOfVertices = "opacity of vertices";
 
 /// Counts the triangles that faces become, before they are made.
 class TriangleCount {

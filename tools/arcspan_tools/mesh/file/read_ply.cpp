@@ -133,12 +133,14 @@ class ColourProperties {
       : element_(element),
         at_(properties_of<3>(
             element,
-            {{"red", "green", "blue"}, {"diffuse_red", "diffuse_green", "diffuse_blue"}, {"r", "g", "b"}})) {}
+            {{"red", "green", "blue"}, {"diffuse_red", "diffuse_green", "diffuse_blue"}, {"r", "g", "b"}})),
+        alpha_at_(properties_of<1>(element, {{"alpha"}, {"diffuse_alpha"}, {"a"}})) {}
 
   [[nodiscard]] bool any() const { return at_.has_value(); }
   /// The colour in an element's values: of integers 0...1; floats are as they are in the file.
   [[nodiscard]] std::optional<Vec3> colour(const std::vector<double>& values, LeftOut& left_out) const {
     if (!at_) return std::nullopt;
+    if (alpha_at_ && channel(values, (*alpha_at_)[0]) < 1) left_out.add(kOpacityOfVertices);
     const Vec3 c{channel(values, (*at_)[0]), channel(values, (*at_)[1]), channel(values, (*at_)[2])};
     if (finite(c)) return c;
     left_out.add(kWrongColours);
@@ -155,6 +157,7 @@ class ColourProperties {
 
   const PlyElement& element_;
   std::optional<std::array<std::size_t, 3>> at_;
+  std::optional<std::array<std::size_t, 1>> alpha_at_;
 };
 
 /// The properties that a picture needs of a vertex.

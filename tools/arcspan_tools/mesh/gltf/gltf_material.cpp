@@ -9,6 +9,7 @@ namespace arcspan::tools {
 namespace {
 
 constexpr const char* kOtherTextures = "textures other than the base colour's";
+constexpr double kAboveAllAlpha = 2;  ///< a cutoff that no texel reaches
 constexpr double kDielectric = 0.04;  ///< reflectance of a surface that is no metal, seen from the front
 
 /// Red, green and blue of a member of three or four numbers, each 0...1.
@@ -111,11 +112,14 @@ void read_alpha(const JsonView& json, double factor, FileMaterial& material, Lef
     material.opacity = factor;
     return;
   }
-  material.alpha_cutoff = factor_or(json, "alphaCutoff", 0.5);
+  // Above 1 nothing is drawn, says the specification.
+  material.alpha_cutoff = std::max(json.number_or("alphaCutoff", 0.5), 0.0);
   if (material.texture == nullptr) {
     material.opacity = factor < material.alpha_cutoff ? 0 : 1;
   } else if (factor > 0) {
     material.alpha_cutoff /= factor;
+  } else if (material.alpha_cutoff > 0) {
+    material.alpha_cutoff = kAboveAllAlpha;
   }
 }
 

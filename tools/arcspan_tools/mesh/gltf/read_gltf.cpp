@@ -61,6 +61,14 @@ std::vector<std::size_t> triangulated(const std::vector<std::size_t>& corners, s
   return triangles;
 }
 
+/// Vertices with an opacity below 1.
+std::size_t transparent_vertices(const std::optional<AccessorData>& colours) {
+  if (!colours || colours->components < 4) return 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < colours->count(); ++i) count += colours->element(i)[3] < 1;
+  return count;
+}
+
 class GltfReader {
  public:
   GltfReader(std::string_view bytes, const std::string& subject, const SideFiles& files)
@@ -161,6 +169,8 @@ class GltfReader {
     note_extensions(json);
     const GltfMaterial material = material_of(json);
     const Primitive primitive = read_corners(json, mode, material.mapping.set);
+    if (material.material.alpha_mode != AlphaMode::kOpaque)
+      left_out_.add(kOpacityOfVertices, transparent_vertices(primitive.colours));
     std::optional<GltfVertices> moved;
     MovedBy moved_by;
     if (instance) {

@@ -252,6 +252,26 @@ TEST_CASE("scenes: what is wrong with an animation leaves it out, and a line say
             "the animation 'bend' is left out: the node 'upper': key 1 is not at a time of 0...1000 s"});
 }
 
+TEST_CASE("scenes: meshes and nodes that the loader does not find are left out, and a line says so") {
+  const std::string text = ColladaTube().text();
+  const auto with = [&text](const std::string& nodes) {
+    std::string changed = text;
+    return changed.insert(changed.find("</visual_scene>"), nodes);
+  };
+  const std::string gone = "<node id='gone'><instance_geometry url='#gone'/></node>";
+  const std::string meshes = "left out: meshes that are not in the file or have shape keys of Collada";
+  const Model model =
+      model_of("tube.dae", with(gone + gone + "<node id='n'><instance_node url='#m'/></node>"));
+  CHECK(model.warnings == std::vector<std::string>{meshes + " (2), nodes that are not in the file (1)"});
+  CHECK(model.parts.size() == model_of("tube.dae", text).parts.size());
+
+  std::string empty = text;
+  empty.replace(empty.find("url='#skin'"), 11, "url='#gone'");
+  const TemporaryFolder folder;
+  const std::string file = folder.file("tube.dae", empty);
+  CHECK(message_of<Failure>([&] { (void)load_model_file(file); }) == file + ": no faces; " + meshes + " (1)");
+}
+
 TEST_CASE("scenes: FBX as a still model has materials, pictures in the file, and metres") {
   const std::string folder = "/usr/share/assimp/models/FBX/";
   if (!std::filesystem::exists(folder)) return;

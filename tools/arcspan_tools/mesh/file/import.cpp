@@ -6,7 +6,9 @@
 #include <arcspan_tools/mesh/plain/triangulate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <assimp/BaseImporter.h>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/NullLogger.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <nlohmann/json.hpp>
@@ -89,10 +91,45 @@ aiMatrix4x4 space_of_fbx(const aiScene& scene) {
   return aiMatrix4x4::Scaling({metres, metres, metres}, scale) * space;
 }
 
+using LeftOutCounts = std::map<std::string, std::size_t>;
+
+/// Counts what the library leaves out of a scene and tells its log only.
+class LossLog : public Assimp::NullLogger {
+ public:
+  explicit LossLog(LeftOutCounts& counts) : counts_(counts) {}
+
+  void OnWarn(const char* message) override { count(message); }
+  void OnError(const char* message) override { count(message); }
+
+ private:
+  void count(std::string_view message) {
+    constexpr std::pair<std::string_view, const char*> kLosses[] = {
+        {"Unable to find geometry for ID", "meshes that are not in the file or have shape keys of Collada"},
+        {"Unable to resolve reference to instanced node", "nodes that are not in the file"}};
+    for (const auto& [words, kind] : kLosses) {
+      if (message.find(words) != std::string_view::npos) ++counts_[kind];
+    }
+  }
+
+  LeftOutCounts& counts_;
+};
+
+/// Has the library's log written to a LossLog.
+class WithLossLog {
+ public:
+  explicit WithLossLog(LeftOutCounts& counts) {
+    Assimp::DefaultLogger::set(new LossLog(counts));  // the library deletes it
+  }
+  WithLossLog(const WithLossLog&) = delete;
+  WithLossLog& operator=(const WithLossLog&) = delete;
+  ~WithLossLog() { Assimp::DefaultLogger::set(nullptr); }
+};
+
 /// Turns a scene of the library into JSON.
 class SceneDump {
  public:
-  SceneDump(const aiScene& scene, MeshFormat format) : scene_(scene), format_(format) {}
+  SceneDump(const aiScene& scene, MeshFormat format, const LeftOutCounts& lost)
+      : scene_(scene), format_(format), left_out_(lost) {}
 
   nlohmann::json json() {
     list_nodes();
@@ -147,9 +184,7 @@ class SceneDump {
     return static_cast<std::int64_t>(found->second);
   }
 
-  void leave_out(const char* kind, std::size_t count = 1) {
-    left_out_[kind] = left_out_.value(kind, std::size_t{0}) + count;
-  }
+  void leave_out(const char* kind) { ++left_out_[kind]; }
 
   /// Whether a material is `constant` of Collada: it has no colour under light, only emission.
   [[nodiscard]] bool is_constant(const aiMaterial& material) const {
@@ -342,13 +377,13 @@ class SceneDump {
 
   const aiScene& scene_;
   MeshFormat format_;
+  LeftOutCounts left_out_;
   std::vector<const aiNode*> nodes_{};
   std::vector<std::int64_t> parents_{};
   std::map<std::string, std::size_t> numbers_{};  ///< of the first node of each name
   std::set<std::string> shared_names_{};
   std::set<std::string> ambiguous_{};  ///< shared names that something refers to
   nlohmann::json pictures_ = nlohmann::json::object();
-  nlohmann::json left_out_ = nlohmann::json::object();
   double ticks_ = 1;  ///< per second, in the current clip
 };
 
@@ -384,10 +419,12 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   if (wanted == std::string_view("dae")) bytes = text = without_blanks_before_numbers(bytes);
   // Else the library draws a body around the nodes of a file that has no mesh.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  LeftOutCounts lost;
+  const WithLossLog log(lost);
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, wanted);
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
   std::string cbor;
-  nlohmann::json::to_cbor(SceneDump(*scene, format).json(), cbor);
+  nlohmann::json::to_cbor(SceneDump(*scene, format, lost).json(), cbor);
   return cbor;
 }
 

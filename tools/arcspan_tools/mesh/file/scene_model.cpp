@@ -80,14 +80,20 @@ class SceneReader {
     const RigPoser rest(*rig_, rest_pose(*rig_));
     for (std::size_t i = 0; i < instances_.size(); ++i)
       add_triangles(instances_[i], rest, static_cast<std::uint32_t>(i));
+    if (model_.mesh.triangles.empty()) refuse_empty();
     warn();
-    if (model_.mesh.triangles.empty()) throw Failure(subject_, "no faces");
     if (!rig_->instances.empty()) model_.rig = rig_;
     return std::move(model_);
   }
 
  private:
   void refuse_damaged() const { throw Failure(subject_, "the mesh loader returned a damaged scene"); }
+
+  void refuse_empty() const {
+    std::vector<std::string> lines;
+    left_out_.warn(lines);
+    throw Failure(subject_, lines.empty() ? "no faces" : "no faces; " + lines[0]);
+  }
 
   /// An index below `end`. The loader's process reads files of strangers, so that it is checked.
   std::size_t index(const nlohmann::json& json, std::size_t end) const {

@@ -23,17 +23,17 @@ std::optional<PoseChoice> parse_pose(const std::string& text) {
 }  // namespace
 
 void add_pose(CLI::App& app, std::optional<PoseChoice>& pose) {
-  add_parsed<PoseChoice>(app, "--pose", "CLIP@T",
-                         "the model as it is at T seconds of a clip of its file (.gltf, .glb, .bin); rest is "
-                         "without a clip, as it is "
-                         "by default",
-                         "CLIP@SECONDS or rest", parse_pose,
-                         [&pose](const PoseChoice& choice) { pose = choice; });
+  add_parsed<PoseChoice>(
+      app, "--pose", "CLIP@T",
+      "the model as it is at T seconds of a clip of its file (.gltf, .glb, .fbx, .dae, .3ds, .bin); rest is "
+      "without a clip, as it is by default",
+      "CLIP@SECONDS or rest", parse_pose, [&pose](const PoseChoice& choice) { pose = choice; });
 }
 
 void add_clip(CLI::App& app, std::string& clip) {
-  app.add_option("--clip", clip,
-                 "play this clip of the file (.gltf, .glb, .bin), a whole number of times a turn")
+  app.add_option(
+         "--clip", clip,
+         "play this clip of the file (.gltf, .glb, .fbx, .dae, .3ds, .bin), a whole number of times a turn")
       ->type_name("NAME");
 }
 

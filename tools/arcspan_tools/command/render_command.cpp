@@ -135,9 +135,9 @@ void add_render_command(CLI::App& app) {
       "N*N samples a pixel, N 1...8 (default 1), for paper: draws N times as large, and takes the mean", 1, 8,
       arguments->samples);
   render->add_option("--stats", arguments->stats, "write the printed figures as JSON");
-  render->add_flag(
-      "--clips", arguments->options.all_clips,
-      "a sheet of all clips of the file (.gltf, .glb, .bin): a row for each, with eight pictures");
+  render->add_flag("--clips", arguments->options.all_clips,
+                   "a sheet of all clips of the file (.gltf, .glb, .fbx, .dae, .3ds, .bin): a row for each, "
+                   "with eight pictures");
   render->footer(
       "Examples:\n"
       "  arcspan render bunny.obj -o bunny.png --size 640x480\n"

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // `arcspan mesh --forecast`, as a user runs it.
+#include <arcspan_tools/simulate/pose_cost.hpp>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
+#include <array>
 #include <cstddef>
 #include <fstream>
+#include <memory>
 #include <string>
 
 using namespace arcspan::test;
@@ -75,6 +78,41 @@ TEST_CASE("a forecast of a character has its joints, and the pose is paid for") 
   CHECK(posing(moves, "Cortex-M0+") > posing(moves, "Cortex-M3"));
   CHECK(posing(stands, "Cortex-M3") == 0);
   CHECK(figure(moves, "arc", "Cortex-M3") > posing(moves, "Cortex-M3"));
+}
+
+TEST_CASE("flat shading poses the faces that it shades once more, not small ones without a pixel") {
+  using namespace arcspan::tools;
+  FixedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
+  mesh.indices = {0, 1, 2, 0, 2, 3, 0, 2, 1};  // two fronts and a back
+  FixedPartMotion motion;
+  motion.weights = {{1}, {2}, {2}, {2}};
+  FixedAnimation animation;
+  animation.skins.resize(1);
+  animation.parts = {motion};
+  FixedModel model;
+  model.meshes = {mesh};
+  model.animation = std::make_shared<FixedAnimation>(animation);
+  const auto amounts = [&model](const char* shading, double faces) {
+    return pose_amounts(model, model, {4, 4, 99}, shading, faces);
+  };
+  using Kinds = std::array<double, 4>;
+  CHECK(amounts("arc", 0).positions == Kinds{1, 3, 0, 0});
+  CHECK(amounts("arc", 0).normals == Kinds{1, 3, 0, 0});
+  CHECK(amounts("flat", 2).positions == Kinds{1 + 2, 3 + 4, 0, 0});
+  CHECK(amounts("flat", 1).positions == Kinds{1 + 1, 3 + 2, 0, 0});
+  CHECK(amounts("flat", 0).positions == Kinds{1, 3, 0, 0});
+  CHECK(amounts("flat", 2).normals == Kinds{});
+}
+
+TEST_CASE("a forecast of a tiny picture poses few faces for flat shading") {
+  const std::string walker = std::string(ARCSPAN_EXAMPLES) + "/walker/walker.glb --size 12x16";
+  const nlohmann::json moves = forecast_of(walker);
+  const nlohmann::json stands = forecast_of(walker, "--pose rest");
+  const auto posing = [&](const char* method) {
+    return figure(moves, method, "Cortex-M3") - figure(stands, method, "Cortex-M3");
+  };
+  CHECK(posing("flat") < posing("gouraud"));  // which takes normals of front faces
 }
 
 TEST_CASE("a forecast of a textured model has grey Gouraud in place of Gouraud") {

@@ -87,6 +87,15 @@ FixedMesh extent_of(const std::vector<ForecastPicture>& pictures) {
   return all;
 }
 
+/// The faces that flat shading shades.
+double shaded_faces(const std::optional<std::vector<PartEvents>>& events) {
+  double faces = 0;
+  for (const PartEvents& part : events.value_or(std::vector<PartEvents>())) {
+    for (const CostTerm& term : part.terms) faces += term.name == "face" ? term.amount : 0;
+  }
+  return faces;
+}
+
 /// Adds the share of a picture to the figures of a method.
 void add_picture(const char* method, const FixedModel& model, const ForecastPicture& picture,
                  const RenderJob& job, Forecast::Method& row) {
@@ -94,7 +103,7 @@ void add_picture(const char* method, const FixedModel& model, const ForecastPict
   const Size size = picture.scene.size;
   PoseAmounts amounts;
   if (model.animation != nullptr)
-    amounts = pose_amounts(model, picture.pose, *picture.scene.camera.eye, method);
+    amounts = pose_amounts(model, picture.pose, *picture.scene.camera.eye, method, shaded_faces(events));
   for (std::size_t i = 0; i < kForecastCores.size(); ++i) {
     const std::string_view core = kForecastCores[i].weights;
     const double posing = pose_instructions(core, amounts);

@@ -12,44 +12,51 @@ namespace {
 
 Vec3 point(const ObjectPosition& p) { return {double(p.x), double(p.y), double(p.z)}; }
 
-/// The corners of triangles that face `eye`, which is in object units.
+/// The corners of triangles that face `eye`, which is in object units. Returns the number of triangles.
 template <class Take>
-void for_each_front(const FixedMesh& mesh, Vec3 eye, const Take& take) {
+double for_each_front(const FixedMesh& mesh, Vec3 eye, const Take& take) {
+  double fronts = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
     const Vec3 a = point(mesh.positions[mesh.indices[i]]);
     const Vec3 b = point(mesh.positions[mesh.indices[i + 1]]);
     const Vec3 c = point(mesh.positions[mesh.indices[i + 2]]);
     if (dot(cross(b - a, c - a), eye - a) <= 0) continue;
+    ++fronts;
     for (std::size_t k = 0; k < 3; ++k) take(mesh.indices[i + k]);
   }
+  return fronts;
 }
 
 }  // namespace
 
-PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 eye,
-                         std::string_view shading) {
+PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 eye, std::string_view shading,
+                         double shaded_faces) {
   const FixedAnimation& animation = *model.animation;
   PoseAmounts amounts;
   amounts.nodes = static_cast<double>(animation.nodes.size());
   std::set<std::size_t> skins;
+  std::array<double, 4> corners{};  // of all front faces
+  double fronts = 0;
   for (std::size_t part = 0; part < model.meshes.size(); ++part) {
     const FixedPartMotion& motion = animation.parts[part];
-    if (motion.weights.empty()) continue;
-    skins.insert(motion.skin);
+    const bool follows = !motion.weights.empty();
+    if (follows) skins.insert(motion.skin);
     for (const FixedWeights& weights : motion.weights) ++amounts.positions[weights.count - 1];
     const FixedMesh& mesh = posed.meshes[part];
     std::vector<bool> is_lit(mesh.positions.size());
-    for_each_front(mesh, (eye - mesh.centre) * (1 / mesh.unit), [&](std::size_t i) {
+    fronts += for_each_front(mesh, (eye - mesh.centre) * (1 / mesh.unit), [&](std::size_t i) {
+      if (!follows) return;
       const std::size_t kind = motion.weights[i].count - 1;
-      if (shading == "flat") {
-        ++amounts.positions[kind];
-      } else if (!is_lit[i]) {
-        is_lit[i] = true;
-        ++amounts.normals[kind];
-      }
+      ++corners[kind];
+      if (!is_lit[i]) ++amounts.normals[kind];
+      is_lit[i] = true;
     });
   }
   for (const std::size_t skin : skins) amounts.joints += static_cast<double>(animation.skins[skin].size());
+  if (shading != "flat") return amounts;
+  amounts.normals = {};
+  const double share = fronts > 0 ? shaded_faces / fronts : 0;
+  for (std::size_t kind = 0; kind < corners.size(); ++kind) amounts.positions[kind] += share * corners[kind];
   return amounts;
 }
 

@@ -141,7 +141,8 @@ typedef uint16_t arcspan_object;
 
 /* Adds the mesh or model in a binary of `arcspan mesh -o NAME.bin`, which is used in place: it must begin at
  * a multiple of 4. All of it is checked. NULL for `look` is ARCSPAN_ARC with tolerance 1; `object` may be
- * NULL. Returns
+ * NULL. Nothing poses a model that moves: it is drawn as its vertices are stored, which may be another pose
+ * than at rest; see arcspan_add_character() and `arcspan mesh --pose rest`. Returns
  *
  *   ARCSPAN_INVALID_ARGUMENT   the address, or a number of `look` is out of range
  *   ARCSPAN_BUFFER_TOO_SMALL   the scene has no room for all parts or materials

@@ -55,7 +55,7 @@ enum class PartAlpha : std::uint8_t {
 
 /// A part of a model: a mesh with its material. All parts of a model have the same unit and origin.
 struct ModelPart {
-  MeshView mesh;
+  MeshView mesh;  ///< of a model that moves as it is stored, which may be another pose than at rest
   Material material;
   bool two_sided = false;
   const char* name = "";    ///< within the binary

@@ -272,6 +272,17 @@ TEST_CASE("scenes: meshes and nodes that the loader does not find are left out, 
   CHECK(message_of<Failure>([&] { (void)load_model_file(file); }) == file + ": no faces; " + meshes + " (1)");
 }
 
+TEST_CASE("scenes: joints of a second skeleton with the names of the first are no silent exchange") {
+  std::string text = ColladaTube().text();
+  text.insert(
+      text.find("</visual_scene>"),
+      "<node id='of_other' sid='upper' type='JOINT'/><node id='of_a_third' sid=\"lower\" type=\"JOINT\"/>"
+      "<node id='no_joint' sid='upper'/>");
+  CHECK(model_of("tube.dae", text).warnings ==
+        std::vector<std::string>{
+            "left out: joints with the sid of another, which meshes follow in their place (2)"});
+}
+
 TEST_CASE("scenes: FBX as a still model has materials, pictures in the file, and metres") {
   const std::string folder = "/usr/share/assimp/models/FBX/";
   if (!std::filesystem::exists(folder)) return;

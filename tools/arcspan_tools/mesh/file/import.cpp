@@ -402,6 +402,31 @@ std::string without_blanks_before_numbers(std::string_view xml) {
   return out;
 }
 
+/// An attribute in the text of a tag; empty if there is none.
+std::string_view attribute(std::string_view tag, const std::string& name) {
+  for (const char quote : {'"', '\''}) {
+    const std::string begins = " " + name + "=" + quote;
+    const std::size_t at = tag.find(begins);
+    if (at == std::string_view::npos) continue;
+    const std::string_view value = tag.substr(at + begins.size());
+    return value.substr(0, value.find(quote));
+  }
+  return {};
+}
+
+/// Counts the joints of Collada that have the sid of an earlier one, as in the skeleton of a second
+/// character. The library looks for a mesh's joints in the whole scene, and takes the first of each sid.
+void count_shared_joints(std::string_view xml, LeftOutCounts& counts) {
+  if (xml.find("<instance_controller") == std::string_view::npos) return;
+  std::set<std::string_view> known;
+  for (std::size_t at = xml.find("<node "); at < xml.size(); at = xml.find("<node ", at + 1)) {
+    const std::string_view tag = xml.substr(at, xml.find('>', at) - at);
+    const std::string_view sid = attribute(tag, "sid");
+    if (sid.empty() || attribute(tag, "type") != "JOINT" || known.insert(sid).second) continue;
+    ++counts["joints with the sid of another, which meshes follow in their place"];
+  }
+}
+
 /// The library's complaint. Its exceptions of the standard library say nothing to a user.
 std::string complaint(const std::string& text) {
   if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
@@ -416,10 +441,13 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   const char* wanted = extension(format, bytes);
   keep_only(importer, wanted);
   std::string text;
-  if (wanted == std::string_view("dae")) bytes = text = without_blanks_before_numbers(bytes);
+  LeftOutCounts lost;
+  if (wanted == std::string_view("dae")) {
+    bytes = text = without_blanks_before_numbers(bytes);
+    count_shared_joints(bytes, lost);
+  }
   // Else the library draws a body around the nodes of a file that has no mesh.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  LeftOutCounts lost;
   const WithLossLog log(lost);
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, wanted);
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));

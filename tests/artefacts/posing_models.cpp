@@ -3,10 +3,29 @@
 // tests/firmware/cost_pose.cpp.
 #include <tests/support/animated_rig.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <vector>
+
+namespace {
+
+/// Adds near joints to the vertices that have fewer, such as those in the middle of a joint.
+void give_weights(arcspan::test::Rig& rig, std::size_t weights) {
+  for (arcspan::test::RigVertex& vertex : rig.vertices) {
+    std::vector<arcspan::test::RigWeight>& some = vertex.weights;
+    const int first = some.front().joint;
+    for (int joint = first < 9 ? first + 1 : first - 4; some.size() < weights; ++joint) {
+      const auto is_joint = [joint](const arcspan::test::RigWeight& w) { return w.joint == joint; };
+      if (std::none_of(some.begin(), some.end(), is_joint)) some.push_back({joint, 64});
+    }
+  }
+}
+
+}  // namespace
 
 int main(int count, char** arguments) {
   if (count != 2) return 2;
@@ -16,6 +35,7 @@ int main(int count, char** arguments) {
   };
   for (int weights = 1; weights <= 4; ++weights) {
     arcspan::test::Rig rig = arcspan::test::tube(19, weights, 30000, 3000, 1);
+    give_weights(rig, static_cast<std::size_t>(weights));
     rig.clips.push_back(bending(rig, arcspan::Interpolation::kLinear, 20));
     const auto file = rig.file();
     std::string name = std::to_string(weights);

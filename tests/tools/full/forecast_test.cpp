@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `arcspan mesh --forecast`, as a user runs it.
 #include <arcspan_tools/simulate/pose_cost.hpp>
+#include <arcspan_tools/simulate/processor_cost.hpp>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <tests/tools/command_run.hpp>
@@ -78,6 +79,13 @@ TEST_CASE("a forecast of a character has its joints, and the pose is paid for") 
   CHECK(posing(moves, "Cortex-M0+") > posing(moves, "Cortex-M3"));
   CHECK(posing(stands, "Cortex-M3") == 0);
   CHECK(figure(moves, "arc", "Cortex-M3") > posing(moves, "Cortex-M3"));
+}
+
+TEST_CASE("weights of a vertex cost what drawing meshes of such vertices alone takes") {
+  // Counted of transform_all() in frames of tubes, of which each vertex has so many.
+  CHECK(arcspan::tools::pose_cost("mps2-an385", "position 1") == Approx(164.3).epsilon(0.02));
+  CHECK(arcspan::tools::pose_cost("mps2-an385", "position 2") == Approx(198.3).epsilon(0.02));
+  CHECK(arcspan::tools::pose_cost("mps2-an385", "position 4") == Approx(323.3).epsilon(0.02));
 }
 
 TEST_CASE("flat shading poses the faces that it shades once more, not small ones without a pixel") {

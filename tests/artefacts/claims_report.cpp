@@ -21,11 +21,11 @@ void print_head() {
   std::puts(
       "<!-- SPDX-License-Identifier: MIT -->\n"
       "# What the papers say and what we measured\n\n"
-      "S0, S1 and S3 are the [papers](papers.md). `scripts/update-figures claims` prints this page, whose "
-      "figures the test\n"
-      "command compares (times aside); `arcspan plot` draws the papers' figures. Times are of one x86-64 "
-      "core, instructions\n"
-      "are callgrind's; both are of whole pictures with depth test, a release build.\n\n"
+      "S0, S1 and S3 are the [papers](papers.md). `scripts/update-figures claims` prints this page, at "
+      "releases; `arcspan\n"
+      "plot` draws the papers' figures. Times are of one x86-64 core, instructions are callgrind's; both "
+      "are of whole\n"
+      "pictures with depth test, a release build.\n\n"
       "Compiled by gcc " __VERSION__ ".\n");
 }
 

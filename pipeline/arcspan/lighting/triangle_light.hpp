@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
@@ -28,6 +29,18 @@ struct TriangleLight {
   std::int32_t lift;  ///< linear: half of the largest lengthening(), by which all scalars are lengthened
   /// The squared chord up to which quadratic surfaces are within the tolerance, 28 fraction bits.
   std::uint32_t quadratic_limit;
+};
+
+/// A channel of diffuse light as a linear function of its scalar, in 256ths of an 8-bit step.
+struct LinearLevel {
+  std::uint32_t dark;  ///< without light
+  std::uint32_t rise;  ///< what full light adds
+  bool is_gradual;     ///< false for light in steps
+
+  /// The level at a scalar of 0...1, which may be above 65280.
+  [[nodiscard]] constexpr std::int32_t at(Cosine scalar) const {
+    return static_cast<std::int32_t>(dark + ((static_cast<std::uint32_t>(scalar.raw() >> 15) * rise) >> 15));
+  }
 };
 
 }  // namespace arcspan

@@ -13,6 +13,11 @@
 
 namespace arcspan {
 
+/// The levels of light at the top, middle and bottom vertex of a triangle, 0...65280.
+struct CornerLevels {
+  std::int32_t at[3];
+};
+
 /// Gouraud shading of one channel, for textures under grey light: computes the full illumination per vertex
 /// and interpolates its green channel, which stands for all three.
 template <class Illumination>
@@ -37,10 +42,22 @@ struct GreyGouraud {
     return {a.level + round_shift(wrap_mul(b.level - a.level, t.raw() >> 1), 14)};
   }
 
+  /// Sets the levels of light at the vertices.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool find_levels(const Lighting&, const Frame& frame, const Face&, Prepared&,
+                                                  CornerLevels& levels) {
+    levels = {{frame.top->shade.level, frame.middle->shade.level, frame.bottom->shade.level}};
+    return true;
+  }
+  [[nodiscard]] static constexpr bool has_levels(const Prepared&) { return true; }
   template <class Frame>
   static constexpr void prepare(const Lighting&, const Frame& frame, const Face&, Prepared& prepared) {
-    make_linear_plane(frame, frame.top->shade.level, frame.middle->shade.level, frame.bottom->shade.level,
-                      prepared.level);
+    prepare_levels(frame, {{frame.top->shade.level, frame.middle->shade.level, frame.bottom->shade.level}},
+                   prepared);
+  }
+  template <class Frame>
+  static constexpr void prepare_levels(const Frame& frame, const CornerLevels& levels, Prepared& prepared) {
+    make_linear_plane(frame, levels.at[0], levels.at[1], levels.at[2], prepared.level);
     prepared.level.left.at += kHalf;
     prepared.level.lower.at += kHalf;
     prepared.middle_left = frame.middle_left;

@@ -57,6 +57,10 @@ class CallsOf final : public IlluminationCalls {
     if constexpr (Wrapped::kHasRamp) return wrapped_.diffuse_colour(normal_light);
     return {};
   }
+  [[nodiscard]] LinearLevel linear_level() const override {
+    if constexpr (Wrapped::kHasRamp) return wrapped_.linear_level();
+    return {};
+  }
 
   [[nodiscard]] Status set_tolerance(std::int32_t steps) override { return wrapped_.set_tolerance(steps); }
   [[nodiscard]] bool is_dark(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c) const override {

@@ -27,10 +27,11 @@ class IlluminationCalls {
   [[nodiscard]] virtual AnyScalars scalars(const Direction& normal) const = 0;
   [[nodiscard]] virtual PackedRgb colour(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual DeepColour deep_colour(const AnyScalars& scalars) const = 0;
-  /// The next three are for an illumination that has a ramp.
+  /// The next four are for an illumination that has a ramp.
   [[nodiscard]] virtual Cosine diffuse_scalar(const AnyScalars& scalars, std::uint32_t lit) const = 0;
   [[nodiscard]] virtual Cosine diffuse_sum(const AnyScalars& scalars) const = 0;
   [[nodiscard]] virtual PackedRgb diffuse_colour(Cosine normal_light) const = 0;
+  [[nodiscard]] virtual LinearLevel linear_level() const = 0;
 
   // The functions that `Arc` calls.
   [[nodiscard]] virtual Status set_tolerance(std::int32_t steps) = 0;
@@ -94,6 +95,7 @@ class AnyIllumination {
   [[nodiscard]] PackedRgb diffuse_colour(Cosine normal_light) const requires HasRamp {
     return calls_->diffuse_colour(normal_light);
   }
+  [[nodiscard]] LinearLevel linear_level() const requires HasRamp { return calls_->linear_level(); }
 
   /// Sets the tolerance of all copies.
   [[nodiscard]] Status set_tolerance(std::int32_t steps) { return calls_->set_tolerance(steps); }

@@ -71,10 +71,18 @@ struct Arc {
   /// vertices.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
+    prepare(lighting, frame,
+            choose_order(lighting, frame.top->shade, frame.middle->shade, frame.bottom->shade,
+                         is_bendable(frame)),
+            prepared);
+  }
+  /// Prepares the surface of a triangle of the order that was chosen.
+  template <class Frame>
+  static constexpr void prepare(const Lighting& lighting, const Frame& frame, const SurfaceChoice& choice,
+                                Prepared& prepared) {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;
-    const SurfaceChoice choice = choose_order(lighting, top, middle, bottom, is_bendable(frame));
     prepared.middle_left = frame.middle_left;
     prepared.path = path_of(choice);
     const bool all = choice.light.reach == LightReach::kHighlight;
@@ -87,12 +95,14 @@ struct Arc {
     if (choice.order == SurfaceOrder::kNormalised) prepare_missing(frame, choice.chords, prepared.normalised);
   }
 
-  /// Calls `draw` with the walker of the triangle's path.
-  template <class Draw>
+  /// Calls `draw` with the walker of the triangle's path. Without `DrawsLinear` the caller draws what is
+  /// linear in N·L alone (LevelArc).
+  template <bool DrawsLinear = true, class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     switch (prepared.path) {
       case Path::kLinearDiffuse:
-        if constexpr (kHasDiffuse) return draw(Linear<1>(prepared.middle_left, prepared.linear));
+        if constexpr (kHasDiffuse && DrawsLinear)
+          return draw(Linear<1>(prepared.middle_left, prepared.linear));
         break;
       case Path::kLinear:
         return draw(Linear<kScalars>(prepared.middle_left, prepared.linear));
@@ -147,6 +157,25 @@ struct Arc {
     return draw(SmallRound<kScalars>{part.planes, part.missing});
   }
 
+  /// Quadratic surfaces of larger triangles would show the rounding errors of second differences: those of
+  /// 128 pixels add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
+  template <class Frame>
+  [[nodiscard]] static constexpr bool is_bendable(const Frame& frame) {
+    constexpr std::uint32_t kLargest = 128;
+    return frame.width < kLargest << 16 && frame.long_edge.dy < std::int32_t{kLargest} << Subpixel::kFraction;
+  }
+
+  /// The scalar of a vertex as pixels without highlight take it.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine diffuse([[maybe_unused]] const Lighting& lighting,
+                                                               const SurfaceChoice& choice,
+                                                               [[maybe_unused]] const Vertex& vertex) {
+    if constexpr (kHasDiffuse) {
+      if (choice.light.reach == LightReach::kDiffuse)
+        return lifted(choice, lighting.diffuse_scalar(vertex.scalars, choice.light.lit));
+    }
+    return {};
+  }
+
  private:
   /// False for coloured lights and environment maps, whose pixels always take all scalars.
   static constexpr bool kHasDiffuse = Illumination::kHasRamp;
@@ -166,29 +195,11 @@ struct Arc {
     return static_cast<Path>(static_cast<int>(choice.order) + diffuse);
   }
 
-  /// Quadratic surfaces of larger triangles would show the rounding errors of second differences: those of
-  /// 128 pixels add up to 2^-17, which changes a highlight of n = 64 by half an 8-bit step.
-  template <class Frame>
-  [[nodiscard]] static constexpr bool is_bendable(const Frame& frame) {
-    constexpr std::uint32_t kLargest = 128;
-    return frame.width < kLargest << 16 && frame.long_edge.dy < std::int32_t{kLargest} << Subpixel::kFraction;
-  }
-
   /// The scalar i of a vertex as pixels with all scalars take it.
   [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine scalar(const Lighting& lighting,
                                                               const SurfaceChoice& choice,
                                                               const Vertex& vertex, std::size_t i) {
     return lighting.pixel_scalar(lifted(choice, vertex.scalars[i]), i);
-  }
-  /// The scalar of a vertex as pixels without highlight take it.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine diffuse([[maybe_unused]] const Lighting& lighting,
-                                                               const SurfaceChoice& choice,
-                                                               [[maybe_unused]] const Vertex& vertex) {
-    if constexpr (kHasDiffuse) {
-      if (choice.light.reach == LightReach::kDiffuse)
-        return lifted(choice, lighting.diffuse_scalar(vertex.scalars, choice.light.lit));
-    }
-    return {};
   }
   [[nodiscard]] ARCSPAN_INLINE static constexpr Cosine lifted(const SurfaceChoice& choice, Cosine scalar) {
     return choice.order == SurfaceOrder::kLinear ? lengthened(scalar, choice.light.lift) : scalar;

@@ -33,6 +33,13 @@ struct SurfaceChoice {
          chords.sum() - widest <= limit + (limit >> 1) + (limit >> 3);
 }
 
+/// The cheapest order but linear.
+[[nodiscard]] constexpr SurfaceOrder round_order(const SurfaceChoice& choice, bool may_bend) {
+  return may_bend && is_accurate_quadratic(choice.chords, choice.light.quadratic_limit)
+             ? SurfaceOrder::kQuadratic
+             : SurfaceOrder::kNormalised;
+}
+
 /// Chooses the order of a triangle. `may_bend` is false if it may not be quadratic, because it is small or
 /// too large.
 ///
@@ -52,11 +59,7 @@ template <class Lighting, std::size_t Count>
   const std::uint32_t widest = choice.chords.widest();
   if (widest > kWidestBounded || (top.deficit | middle.deficit | bottom.deficit) != 0) return choice;
   choice.light = lighting.light_over(top.scalars, middle.scalars, bottom.scalars, widest);
-  if (choice.light.linear) {
-    choice.order = SurfaceOrder::kLinear;
-  } else if (may_bend && is_accurate_quadratic(choice.chords, choice.light.quadratic_limit)) {
-    choice.order = SurfaceOrder::kQuadratic;
-  }
+  choice.order = choice.light.linear ? SurfaceOrder::kLinear : round_order(choice, may_bend);
   return choice;
 }
 

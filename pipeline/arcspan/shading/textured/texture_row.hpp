@@ -142,10 +142,9 @@ class PerspectiveTexture {
   static constexpr bool kInPerspective = true;
   static constexpr bool kHasLevel = false;
 
-  ARCSPAN_INLINE constexpr PerspectiveTexture(const TextureTriangle& t, const RowStart& row)
-      : first_(t.first),
-        level_(t.number),
-        steps_(t),
+  /// Pieces change the mip level of the triangle, so that rows begin with that of the row above.
+  ARCSPAN_INLINE constexpr PerspectiveTexture(TextureTriangle& t, const RowStart& row)
+      : steps_(t),
         triangle_(&t),
         u_(linear_at(t.u, row).raw()),
         v_(linear_at(t.v, row).raw()),
@@ -153,7 +152,7 @@ class PerspectiveTexture {
         at_(divided()) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr const Steps& steps() const { return steps_; }
   /// The first texel of the mip level of the current piece.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t first() const { return first_; }
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t first() const { return triangle_->first; }
   ARCSPAN_INLINE constexpr void next() { steps_.next(); }
   /// Begins the next piece of a row of which `left` pixels are left, at least 1. Returns its length.
   ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) { return enter_outlined(left); }
@@ -221,8 +220,8 @@ class PerspectiveTexture {
     std::uint32_t u = triangle_->u_origin + grid_word(at_.u, triangle_->u_shift);
     std::uint32_t v = triangle_->v_origin + grid_word(at_.v, triangle_->v_shift);
     if constexpr (Filter == TextureFilter::kBilinear) {
-      u -= triangle_->half_texel_u(level_);
-      v -= triangle_->half_texel_v(level_);
+      u -= triangle_->half_texel_u();
+      v -= triangle_->half_texel_v();
     }
     steps_.start(u, v);
     steps_.set_step(detail::to_word<Steps>(du, triangle_->u_shift),
@@ -233,7 +232,7 @@ class PerspectiveTexture {
   /// Chooses the mip level of a piece of steps + 1 pixels that ends at the current 1/w. `du` and `dv` are
   /// relative, because the words of a step lose whole repetitions.
   constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
-    const TextureTriangle& t = *triangle_;
+    TextureTriangle& t = *triangle_;
     const std::int32_t least = t.least_q >> 1;
     const std::int32_t middle = wrap_sub(q_, wrap_mul(t.q.dx.raw(), steps >> 1));
     const std::int32_t log_q = detail::low_log2(static_cast<std::uint32_t>(middle < least ? least : middle));
@@ -248,19 +247,14 @@ class PerspectiveTexture {
     const unsigned chosen = log_step_ == kUnknown
                                 ? detail::least_mip_level(t.size, log_area)
                                 : detail::mip_level(t.size, log_area, log_step_ - 2 * log_q);
-    if (chosen == level_) return;
-    level_ = chosen;
-    TextureLevel level = t;
-    level.set(t.size, chosen);
-    first_ = level.first;
-    steps_.set_size(level);
+    if (chosen == t.number) return;
+    t.set(t.size, chosen);
+    steps_.set_size(t);
   }
 
-  std::uint32_t first_;               ///< texel of the current level
-  unsigned level_;                    ///< its number
   std::int32_t log_step_ = kUnknown;  ///< of level 0 where 1/w is 1, 8 fraction bits
   Steps steps_;
-  const TextureTriangle* triangle_;
+  TextureTriangle* triangle_;
   std::int32_t u_;  ///< u, or u/w, at the end of the current piece, as Linear
   std::int32_t v_;
   std::int32_t q_;

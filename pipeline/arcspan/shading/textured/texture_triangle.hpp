@@ -5,6 +5,7 @@
 #include <arcspan/prepare/linear.hpp>
 #include <arcspan/prepare/precise_plane.hpp>
 #include <arcspan/prepare/triangle.hpp>
+#include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/textured/joined_point.hpp>
 #include <arcspan/shading/textured/piece_length.hpp>
 #include <arcspan/shading/textured/texture_grid.hpp>
@@ -51,13 +52,9 @@ struct TextureTriangle : TextureLevel {
   std::int32_t log_area;  ///< in perspective what area_at() takes, otherwise log_area_of(); with levels only
   std::uint32_t half_texel;  ///< half_texel_of()
 
-  /// Half a texel of the level of this number, with TextureFilter::kBilinear; otherwise 0.
-  [[nodiscard]] constexpr std::uint32_t half_texel_u(unsigned level) const {
-    return half_texel >> (size.width_bits - level);
-  }
-  [[nodiscard]] constexpr std::uint32_t half_texel_v(unsigned level) const {
-    return half_texel >> (size.height_bits - level);
-  }
+  /// Half a texel of the level, with TextureFilter::kBilinear; otherwise 0.
+  [[nodiscard]] constexpr std::uint32_t half_texel_u() const { return half_texel >> width_bits; }
+  [[nodiscard]] constexpr std::uint32_t half_texel_v() const { return half_texel >> height_bits; }
   /// `Mapping` is PerspectiveTexture if `piece` is not 0.
   template <class Mapping>
   constexpr void next_row() {
@@ -157,23 +154,16 @@ template <class Steps, class Frame>
           Steps::rounded(step, rounded_bits), frame.long_walk};
 }
 
-/// The levels of light at the vertices of a triangle, 0...65280, in the order of TextureCorners; empty if the
-/// light is not linear on the screen.
-struct NoLevels {};
-struct CornerLevels {
-  std::int32_t at[3];
-};
-
 /// log2 of the most steps along columns and rows whose summed rounding errors stay within 1/32 of a texel.
 /// Each step rounds u by half of 2^(height_bits - 32), beside a level v by half of 2^-14 texels, and with
 /// BorderSteps both by 2^(spare_bits - 32).
-template <class Steps, bool HasLevel>
-[[nodiscard]] constexpr unsigned most_step_bits(const TextureTriangle& t) {
+template <class Steps>
+[[nodiscard]] constexpr unsigned most_step_bits(const TextureTriangle& t, bool has_level) {
   if constexpr (Steps::kHasBorders) {
     return 27u - t.spare_bits - (t.width_bits > t.height_bits ? t.width_bits : t.height_bits);
   }
   const unsigned bits = 28u - t.width_bits - t.height_bits;
-  return HasLevel && bits > 10 ? 10 : bits;
+  return has_level && bits > 10 ? 10 : bits;
 }
 
 /// Returns the relative u or v of a corner of a triangle whose u and v are linear, `along` shifted by
@@ -185,13 +175,13 @@ template <class Steps, bool HasLevel>
 /// Prepares a triangle whose u and v are linear, with relative values that are shifted by `shifts`. Returns
 /// false if the grid is too coarse for it, and for slivers.
 template <class Steps, class Levels, class Frame>
-[[nodiscard]] constexpr bool prepare_linearly(const Frame& frame, const TextureCorners& corners,
-                                              const Levels& levels, const MappedPoint& least,
-                                              const TextureShifts& shifts, TextureTriangle& t) {
-  constexpr bool kHasLevels = std::same_as<Levels, CornerLevels>;
+[[nodiscard]] constexpr bool prepare_linearly(const Frame& frame, const TextureCorners& corners, Levels given,
+                                              const MappedPoint& least, const TextureShifts& shifts,
+                                              TextureTriangle& t) {
+  const CornerLevels* const levels = given;  // a constant, if `Levels` is nullptr_t
   const std::uint32_t steps =
       (frame.width >> 16) + 2 * (static_cast<std::uint32_t>(frame.long_edge.dy) >> 4) + 1;
-  if (frame.width < 0x10000u || steps >> most_step_bits<Steps, kHasLevels>(t) != 0) return false;
+  if (frame.width < 0x10000u || steps >> most_step_bits<Steps>(t, levels != nullptr) != 0) return false;
   t.u_shift = word_shift_of<Steps>(shifts.u, t);
   t.v_shift = word_shift_of<Steps>(shifts.v, t);
   t.piece = 0;
@@ -206,24 +196,23 @@ template <class Steps, class Levels, class Frame>
   if (!find_step<Steps>(frame, u, t.u_shift, du) || !find_step<Steps>(frame, v, t.v_shift, dv)) return false;
   constexpr int kLevelShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 25 of 64ths
   std::int32_t level_step = 0;
-  if constexpr (kHasLevels) {
-    if (!find_step<Steps>(frame, levels.at, kLevelShift, level_step)) return false;
-  }
+  if (levels != nullptr && !find_step<Steps>(frame, levels->at, kLevelShift, level_step)) return false;
   if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
-  const unsigned rounded_bits = kHasLevels ? JoinedLevel::kBits - t.height_bits : 0;
+  const unsigned rounded_bits = levels != nullptr ? JoinedLevel::kBits - t.height_bits : 0;
   GridCoordinate at_v =
-      grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(t.number), t.v_shift, dv, rounded_bits);
-  if constexpr (kHasLevels) {
+      grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(), t.v_shift, dv, rounded_bits);
+  if (levels != nullptr) {
     at_v.at =
         static_cast<std::uint32_t>(JoinedPoint::rounded(static_cast<std::int32_t>(at_v.at), rounded_bits));
     at_v.step_down = JoinedPoint::rounded(at_v.step_down, rounded_bits);
   }
   t.grid.make<Steps>(
-      grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(t.number), t.u_shift, du, t.height_bits),
-      at_v, t.height_bits);
-  if constexpr (kHasLevels)
-    t.grid.add_level(grid_coordinate<Steps>(frame, levels.at, JoinedLevel::kHalf << JoinedLevel::kRoundedBits,
-                                            kLevelShift, level_step, JoinedLevel::kRoundedBits));
+      grid_coordinate<Steps>(frame, u, t.u_origin - t.half_texel_u(), t.u_shift, du, t.height_bits), at_v,
+      t.height_bits);
+  if (levels != nullptr)
+    t.grid.add_level(grid_coordinate<Steps>(frame, levels->at,
+                                            JoinedLevel::kHalf << JoinedLevel::kRoundedBits, kLevelShift,
+                                            level_step, JoinedLevel::kRoundedBits));
   return true;
 }
 
@@ -320,12 +309,12 @@ template <class Steps>
 
 }  // namespace detail
 
-/// Prepares the texture of a triangle, and its light if `levels` has some and `piece` becomes 0. `corners`
+/// Prepares the texture of a triangle, and its light if there are `levels` and `piece` becomes 0. `corners`
 /// are those of the frame's vertices.
 /// `Steps` is TexelSteps or BorderSteps.
 template <TextureFilter Filter, class Steps, class Levels, class Frame>
 constexpr void prepare_texture(const Frame& frame, const TextureSize& size, const TextureCorners& corners,
-                               const Levels& levels, TextureTriangle& t) {
+                               Levels levels, TextureTriangle& t) {
   const detail::Extent u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
   const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
   const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
@@ -346,7 +335,7 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   const detail::TextureShifts shifts(u.range(), v.range());
   if (!detail::is_linear_within_pixels(x.range(), static_cast<std::uint32_t>(frame.long_edge.dy), w) ||
       !detail::is_nearly_linear(t, u.range(), v.range(), w) ||
-      !detail::prepare_linearly<Steps>(frame, corners, levels, least, shifts, t)) {
+      !detail::prepare_linearly<Steps, Levels>(frame, corners, levels, least, shifts, t)) {
     detail::prepare_in_perspective<Steps>(frame, corners, least, shifts, w, t);
   }
 }

@@ -6,6 +6,7 @@
 #include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/textured/border_steps.hpp>
+#include <arcspan/shading/textured/level_arc.hpp>
 #include <arcspan/shading/textured/light_tables.hpp>
 #include <arcspan/shading/textured/small_texture.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
@@ -122,7 +123,7 @@ struct TexturedRun : TexturedPixel<Lit, Mapping, Texels, Colours, Filter> {
 
   /// Starts a row.
   template <class LightWalker>
-  ARCSPAN_INLINE constexpr TexturedRun(const LightWalker& light, const TextureTriangle& triangle,
+  ARCSPAN_INLINE constexpr TexturedRun(const LightWalker& light, TextureTriangle& triangle,
                                        const RowStart& row)
       : Pixel{light.row(row), Mapping(triangle, row), nullptr, nullptr}, first(triangle.first) {}
 
@@ -205,6 +206,18 @@ template <class Method>
   return coloured ? TexelLight::kColoured : TexelLight::kGrey;
 }
 
+/// The method that lights a texture by `Method`: by Arc it has levels.
+template <class Method, TexelLight Colours>
+struct LightOnTexture {
+  using Type = Method;
+};
+template <class Illumination>
+requires(Illumination::kHasRamp) struct LightOnTexture<Arc<Illumination>, TexelLight::kGrey> {
+  using Type = LevelArc<Illumination>;
+};
+template <class Method, TexelLight Colours>
+using LightOn = typename LightOnTexture<Method, Colours>::Type;
+
 /// A method's part of a small triangle; empty if it does not draw them.
 template <class M>
 struct SmallPart {
@@ -245,8 +258,8 @@ using TablesOf = typename TablesFor<M, Colours>::Type;
 /// exact enough, elsewhere in the longest pieces of a row that are.
 template <class Method, TexelFormat Texels, TexelLight Colours = texel_light_of<Method>(),
           TextureFilter Filter = TextureFilter::kNearest, TextureBorders Borders = TextureBorders::kRepeat>
-struct Textured : Method {
-  using Light = Method;
+struct Textured : LightOn<Method, Colours> {
+  using Light = LightOn<Method, Colours>;
   /// The illumination of `Method` with the texture.
   struct Lighting : TablesOf<Light, Colours>, Light::Lighting {
     constexpr Lighting() = default;
@@ -308,9 +321,13 @@ struct Textured : Method {
     const std::uint16_t* palette;
   };
   static constexpr bool kNeedsNearOverW = true;
-  /// Where u and v are linear on the screen, the level of GreyGouraud is stepped with them.
-  static constexpr bool kJoinsLevel = Colours == TexelLight::kGrey && !Steps::kHasBorders &&
-                                      std::same_as<Light, GreyGouraud<typename Light::Lighting>>;
+  /// The light of triangles may be a level, that of grey light.
+  static constexpr bool kHasLevels =
+      Colours == TexelLight::kGrey && requires(typename Light::Prepared & light) {
+    Light::has_levels(light);
+  };
+  /// Where u and v are linear on the screen, it is stepped with them.
+  static constexpr bool kJoinsLevel = kHasLevels && !Steps::kHasBorders;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
     return {Light::shade_vertex(lighting, normal), {}};
@@ -333,29 +350,32 @@ struct Textured : Method {
     const TextureCorners corners{
         {frame.top->shade.point, frame.middle->shade.point, frame.bottom->shade.point},
         {frame.top->near_over_w.value, frame.middle->near_over_w.value, frame.bottom->near_over_w.value}};
-    if constexpr (kJoinsLevel) {
-      const detail::CornerLevels levels{
-          {frame.top->shade.level, frame.middle->shade.level, frame.bottom->shade.level}};
-      prepare_texture<Filter, Steps>(frame, lighting.texture.size(), corners, levels, prepared.texture);
-      if (prepared.texture.piece != 0) Light::prepare(lighting, frame, face, prepared.light);
+    const TextureSize& size = lighting.texture.size();
+    if constexpr (kHasLevels) {
+      CornerLevels levels;
+      const bool has = Light::find_levels(lighting, frame, face, prepared.light, levels);
+      prepare_texture<Filter, Steps>(frame, size, corners, kJoinsLevel && has ? &levels : nullptr,
+                                     prepared.texture);
+      if (has && (!kJoinsLevel || prepared.texture.piece != 0))
+        Light::prepare_levels(frame, levels, prepared.light);
     } else {
       Light::prepare(lighting, frame, face, prepared.light);
-      prepare_texture<Filter, Steps>(frame, lighting.texture.size(), corners, detail::NoLevels{},
-                                     prepared.texture);
+      prepare_texture<Filter, Steps>(frame, size, corners, nullptr, prepared.texture);
     }
   }
 
   template <class Draw>
   [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
     if constexpr (kJoinsLevel) {
-      if (prepared.texture.piece == 0) {
+      if (prepared.texture.piece == 0 && Light::has_levels(prepared.light)) {
         return draw(TexturedWalker<LevelWalker, LinearTexture<Steps, true>, Texels, Colours, Filter>(
             {}, prepared.texture));
       }
     }
     return Light::walk(prepared.light, [&](auto walker) {
       using LightWalker = decltype(walker);
-      if constexpr (!kJoinsLevel) {
+      constexpr bool kIsLevel = requires(const typename LightWalker::Run& run) { run.light_factor(); };
+      if constexpr (!kJoinsLevel || !kIsLevel) {
         if (prepared.texture.piece == 0) {
           return draw(TexturedWalker<LightWalker, LinearTexture<Steps, false>, Texels, Colours, Filter>(
               walker, prepared.texture));

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <arcspan/lighting/triangle_light.hpp>
+#include <arcspan/shading/grey_gouraud.hpp>
+#include <arcspan/shading/surface/arc.hpp>
+#include <arcspan/shading/surface/order.hpp>
+#include <arcspan/status.hpp>
+#include <arcspan/target.hpp>
+
+namespace arcspan {
+
+/// `Arc` on textures under grey light. A triangle whose N·L is linear, and that no highlight reaches, is lit
+/// as by GreyGouraud, by the level of diffuse light at its vertices: texels are multiplied by that, and no
+/// pixel has to look it up. Small triangles are Arc's.
+template <class Illumination>
+struct LevelArc : Arc<Illumination> {
+  using Surface = Arc<Illumination>;
+  using Level = GreyGouraud<Illumination>;
+  using typename Surface::Face;
+  using typename Surface::Vertex;
+  using DrawsSmallTrianglesAs = LevelArc;
+  struct Prepared {
+    union {
+      typename Surface::Prepared surface;
+      typename Level::Prepared level;
+    };
+    bool has_levels;
+  };
+
+  /// Returns true and sets the levels of a triangle that has them; otherwise prepares its surface.
+  template <class Lighting, class Frame>
+  [[nodiscard]] static constexpr bool find_levels(const Lighting& lighting, const Frame& frame, const Face&,
+                                                  Prepared& prepared, CornerLevels& levels) {
+    const bool may_bend = Surface::is_bendable(frame);
+    SurfaceChoice choice =
+        choose_order(lighting, frame.top->shade, frame.middle->shade, frame.bottom->shade, may_bend);
+    prepared.has_levels = false;
+    if (choice.order == SurfaceOrder::kLinear && choice.light.reach != LightReach::kHighlight) {
+      prepared.has_levels =
+          set_levels(lighting, choice, frame.top->shade, frame.middle->shade, frame.bottom->shade, levels);
+      if (prepared.has_levels) return true;
+      choice.order = round_order(choice, may_bend);
+    }
+    Surface::prepare(lighting, frame, choice, prepared.surface);
+    return false;
+  }
+  [[nodiscard]] static constexpr bool has_levels(const Prepared& prepared) { return prepared.has_levels; }
+  /// Prepares a triangle that has levels, if they are not stepped with u and v.
+  template <class Frame>
+  static constexpr void prepare_levels(const Frame& frame, const CornerLevels& levels, Prepared& prepared) {
+    Level::prepare_levels(frame, levels, prepared.level);
+  }
+  template <class Draw>
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Status walk(Prepared& prepared, Draw&& draw) {
+    if (prepared.has_levels) return Level::walk(prepared.level, draw);
+    return Surface::template walk<false>(prepared.surface, draw);
+  }
+
+ private:
+  /// Returns false if light ends within the triangle, is in steps, or is more than full.
+  template <class Lighting>
+  [[nodiscard]] static constexpr bool set_levels(const Lighting& lighting, const SurfaceChoice& choice,
+                                                 const Vertex& top, const Vertex& middle,
+                                                 const Vertex& bottom, CornerLevels& levels) {
+    constexpr std::int32_t kMostLevel = 65280;
+    constexpr std::int32_t kSlack = 256;  // of scalars that are lengthened, a step of 255
+    const Cosine a = Surface::diffuse(lighting, choice, top);
+    const Cosine b = Surface::diffuse(lighting, choice, middle);
+    const Cosine c = Surface::diffuse(lighting, choice, bottom);
+    const LinearLevel level = lighting.linear_level();
+    if (choice.light.reach == LightReach::kDiffuse && !level.is_gradual) return false;
+    if ((a.raw() | b.raw() | c.raw()) < 0) return false;
+    levels = {{level.at(a), level.at(b), level.at(c)}};
+    for (std::int32_t& at : levels.at) {
+      if (at > kMostLevel + kSlack) return false;
+      if (at > kMostLevel) at = kMostLevel;
+    }
+    return true;
+  }
+};
+
+}  // namespace arcspan

@@ -114,24 +114,54 @@ std::array<MeshView, 3> balls() {
   return {decorated_fine.mesh, decorated.mesh, decorated_coarse.mesh};
 }
 
-/// The largest difference that a white texture makes to the pictures of a method, in steps of 8 bits. Depths
-/// must be equal.
-template <class Method, class Lit>
-int largest_difference() {
-  using White = Textured<Method, DirectTexels<>, TexelLight::kColoured>;
-  const typename Method::Lighting plain(illumination<Lit>());
-  const typename White::Lighting textured(illumination<Lit>(), kWhiteTexture);
-  int worst = 0;
+/// The differences that a white texture makes to the pixels of the pictures of a method, in steps of 8 bits.
+/// Depths must be equal.
+template <class Method, TexelLight Colours, TextureBorders Borders = TextureBorders::kRepeat, class Lit>
+std::vector<int> differences(const Lit& lit) {
+  using White = Textured<Method, DirectTexels<>, Colours, TextureFilter::kNearest, Borders>;
+  const typename Method::Lighting plain(lit);
+  const typename White::Lighting textured(lit, kWhiteTexture);
+  std::vector<int> result;
   for (const MeshView& mesh : balls()) {
     const auto [a, a_depths] = drawn<Method>(mesh, plain);
     const auto [b, b_depths] = drawn<White>(mesh, textured);
     CHECK((a_depths == b_depths));  // in brackets, or a failure prints both
     for (std::size_t i = 0; i < a.size(); ++i) {
-      worst =
-          std::max({worst, std::abs(a[i].r - b[i].r), std::abs(a[i].g - b[i].g), std::abs(a[i].b - b[i].b)});
+      result.push_back(
+          std::max({std::abs(a[i].r - b[i].r), std::abs(a[i].g - b[i].g), std::abs(a[i].b - b[i].b)}));
     }
   }
-  return worst;
+  return result;
+}
+
+template <class Method, class Lit>
+int largest_difference() {
+  const std::vector<int> all = differences<Method, TexelLight::kColoured>(illumination<Lit>());
+  return *std::max_element(all.begin(), all.end());
+}
+
+/// The pixels in a thousand that differ by more than five steps under grey light, for a material of these
+/// coefficients whose planes may be off by four. `toon`: the steps of the light, or 0.
+template <std::size_t Lights>
+std::ptrdiff_t grey_differences(Coefficient ambient, Coefficient diffuse, std::int32_t toon) {
+  using Lit = Illumination<Lights, Highlight::kBlinn>;
+  const auto grey = [](Coefficient share) { return ChannelCoefficients{share, share, share}; };
+  std::array<DirectionalLight, Lights> lights{};
+  lights[0] = {normalised(2, 3, 4), Coefficient::of(0.9)};
+  if constexpr (Lights == 2) lights[1] = {normalised(-3, 1, 2), Coefficient::of(0.6)};
+  Lit lit;
+  REQUIRE(ok(Lit::make({grey(ambient), grey(diffuse), grey(Coefficient::of(0.5)), 24}, lights,
+                       normalised(0, 0, 1), lit)));
+  REQUIRE(ok(lit.set_tolerance(4)));
+  if (toon != 0) REQUIRE(ok(lit.set_toon(toon)));
+  std::ptrdiff_t more = 0;
+  std::size_t pixels = 0;
+  for (const auto& all : {differences<Arc<Lit>, TexelLight::kGrey>(lit),
+                          differences<Arc<Lit>, TexelLight::kGrey, TextureBorders::kOfTexture>(lit)}) {
+    more += std::count_if(all.begin(), all.end(), [](int difference) { return difference > 5; });
+    pixels += all.size();
+  }
+  return (1000 * more + static_cast<std::ptrdiff_t>(pixels) - 1) / static_cast<std::ptrdiff_t>(pixels);
 }
 
 /// An operation that makes every pixel dark grey.
@@ -168,6 +198,19 @@ TEST_CASE("a white texture leaves the colours of every method as they are") {
   CHECK(largest_difference<VertexColoured<OneLight>, OneLight>() <= 1);
   CHECK(largest_difference<Arc<OneLight>, OneLight>() <= 1);
   CHECK(largest_difference<Arc<TwoLights>, TwoLights>() <= 1);
+}
+
+// Where light ends, is in steps, or would be more than full, its level is not linear.
+TEST_CASE("grey light on a white texture is that of the method") {
+  constexpr auto kDim = Coefficient::of(0.1);
+  constexpr auto kBright = Coefficient::of(0.7);
+  CHECK(grey_differences<1>(kDim, kBright, 0) == 0);
+  CHECK(grey_differences<2>(kDim, kBright, 0) == 0);
+  CHECK(grey_differences<1>(kBright, kBright, 0) == 0);
+  CHECK(grey_differences<1>(kBright, Coefficient{}, 0) == 0);
+  // Steps end a little further on where N·L is a little larger.
+  CHECK(grey_differences<1>(kDim, kBright, 2) <= 10);
+  CHECK(grey_differences<2>(kDim, kBright, 16) <= 10);
 }
 
 TEST_CASE("an operation is on every pixel of triangles whose rows have runs of several types") {

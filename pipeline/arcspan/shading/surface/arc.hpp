@@ -78,8 +78,8 @@ struct Arc {
   }
   /// Prepares the surface of a triangle of the order that was chosen.
   template <class Frame>
-  static constexpr void prepare(const Lighting& lighting, const Frame& frame, const SurfaceChoice& choice,
-                                Prepared& prepared) {
+  ARCSPAN_INLINE static constexpr void prepare(const Lighting& lighting, const Frame& frame,
+                                               const SurfaceChoice& choice, Prepared& prepared) {
     const Vertex& top = frame.top->shade;
     const Vertex& middle = frame.middle->shade;
     const Vertex& bottom = frame.bottom->shade;

@@ -20,6 +20,13 @@ inline constexpr std::uint8_t kDitherMatrix[8][8] = {
   return kDitherMatrix[static_cast<std::size_t>(y) & 7u][static_cast<std::size_t>(x) & 7u];
 }
 
+/// x or y by which a pixel is dithered that blends what was dithered before. By the same thresholds all pixels
+/// of one code would round alike: black over half the pixels of a mono picture would do nothing. With the
+/// lowest three bits rotated thresholds repeat less.
+[[nodiscard]] constexpr std::int32_t dithered_again_at(std::int32_t at) {
+  return ((at >> 1) & 3) | ((at & 1) << 2);
+}
+
 /// `level` (0...255) dithered for pixel (x, y), as a level of 0...255 of which the caller keeps the `Bits`
 /// most significant bits and drops the rest. Over any aligned 8x8 pixels the mean of these codes is `level`,
 /// within 1/100 of full scale; 0 and 255 are the lowest and the highest code everywhere. For `Bits` = 8 the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/pixel/dither.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/target.hpp>
 
@@ -34,7 +35,8 @@ template <class Format, class Shade>
   } else if constexpr (!Format::kDithers && Rgb565Words<Format>) {
     return Format::word565(colour.over565(Format::word565(below)));
   } else {
-    return encode_at<Format>(colour.over(PackedRgb::of(Format::decode(below))), x, y);
+    return encode_at<Format>(colour.over(PackedRgb::of(Format::decode(below))), dithered_again_at(x),
+                             dithered_again_at(y));
   }
 }
 

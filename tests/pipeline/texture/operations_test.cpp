@@ -5,7 +5,10 @@
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/pixel/fog.hpp>
+#include <arcspan/pixel/gray2.hpp>
 #include <arcspan/pixel/gray4.hpp>
+#include <arcspan/pixel/mono.hpp>
+#include <arcspan/pixel/rgb332.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/scene/camera.hpp>
@@ -13,6 +16,7 @@
 #include <arcspan/shading/vertex_coloured.hpp>
 #include <arcspan/shading/with_operation.hpp>
 #include <arcspan/span/depth_mode.hpp>
+#include <arcspan/span/draw_operated.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -547,6 +551,38 @@ TEST_CASE("fog within fog is seen through both", "[textures]") {
     const auto both = Fogged{&fog()}(Fogged{&green}(kSurface)).at_depth(depth);
     REQUIRE(both.packed().lanes == Fogged{&fog()}(within.packed()).at_depth(depth).packed().lanes);
   }
+}
+
+/// How far the mean of a dithered surface is from what it should be when another is blended over it, in steps
+/// of 255: the largest over all their greys and the opacities of 1/8...7/8.
+template <class Format>
+double blended_mean_error() {
+  using Dithers = Dithered<Format>;
+  double worst = 0;
+  for (int grey = 0; grey < 256; grey += 15) {
+    for (int over = 0; over < 256; over += 15) {
+      for (int opacity = 4; opacity <= 28; opacity += 4) {
+        const auto colour = Opacity<>{static_cast<std::uint32_t>(opacity)}(
+            PackedRgb::grey(static_cast<std::uint32_t>(4 * over + 2)));
+        double mean = 0;
+        for (std::int32_t at = 0; at < 64; ++at) {
+          const auto below =
+              encode_at<Dithers>(PackedRgb::grey(static_cast<std::uint32_t>(4 * grey + 2)), at % 8, at / 8);
+          mean += Dithers::decode(detail::operated<Dithers>(colour, below, at % 8, at / 8)).g / 64.0;
+        }
+        worst = std::max(worst, std::abs(mean - (grey + (over - grey) * opacity / 32.0)));
+      }
+    }
+  }
+  return worst;
+}
+
+TEST_CASE("what is blended over a dithered surface changes its mean as it should") {
+  CHECK(blended_mean_error<Mono>() <= 20);
+  CHECK(blended_mean_error<Gray2>() <= 6.5);
+  CHECK(blended_mean_error<Rgb332>() <= 3.5);
+  CHECK(blended_mean_error<Gray4>() <= 3);
+  CHECK(blended_mean_error<Rgb565>() <= 1);
 }
 
 TEST_CASE("a screen door keeps the alpha of texels for what blends them", "[textures]") {

@@ -103,6 +103,9 @@ template <class Part>
 [[nodiscard]] std::size_t path_of(const Part& part) {
   if constexpr (requires { part.path; }) {
     return static_cast<std::size_t>(part.path);
+  } else if constexpr (requires { part.has_levels; }) {
+    using Path = decltype(part.surface.path);
+    return part.has_levels ? static_cast<std::size_t>(Path::kLinearDiffuse) : path_of(part.surface);
   } else if constexpr (requires { part.light; }) {
     return path_of(part.light);
   } else {

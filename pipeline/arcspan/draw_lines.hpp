@@ -72,7 +72,8 @@ class LineStage {
     const Rect rect = intersection({left, top, left + size, top + size}, scissor_.rect());
     if (rect.empty()) return;
     const auto depth = static_cast<std::uint16_t>(biased_depth(middle.z, bias_.units));
-    status_ = draw_rectangle<Method>(rect, depth, bias_.units, target_);
+    const auto bias = static_cast<std::uint16_t>(middle.z - depth);  // less than wanted at the near plane
+    status_ = draw_rectangle<Method>(rect, depth, bias, target_);
   }
 
  private:

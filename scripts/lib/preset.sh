@@ -18,9 +18,10 @@ build_preset() {
   alone "$1" bash -c 'configured "$@" && cmake --build --preset "$1"' - "$@" >"$log" 2>&1 || { tail -60 "$log"; return 1; }
 }
 
-# build_release: the release build of the test command. Larger sources than the preset has take less processor time and keep fewer
+# build_release [CMAKE_OPTION...]: the release build of the test command. Larger sources than the preset has take less processor time and keep fewer
 # processors busy.
 build_release() {
   scripts/fetch-meshes
-  build_preset release -DARCSPAN_GOLDEN_ALL=ON -DARCSPAN_LIBRARY_UNITY=ON -DARCSPAN_TOOLS_TOGETHER=ON -DARCSPAN_TESTS_TOGETHER=100 -DARCSPAN_TESTS_ONCE=ON
+  build_preset release -DARCSPAN_GOLDEN_ALL=ON -DARCSPAN_LIBRARY_UNITY=ON -DARCSPAN_TOOLS_TOGETHER=ON -DARCSPAN_TESTS_TOGETHER=100 -DARCSPAN_TESTS_ONCE=ON \
+    -DARCSPAN_TIMES_LITERATURE=OFF "$@"
 }

@@ -209,8 +209,9 @@ constexpr void Illumination<Lights, Model, Features>::make_ramp() {
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr LinearLevel Illumination<Lights, Model, Features>::linear_level() const {
   // Of light in steps, at most 16, the first has one colour.
-  const bool is_gradual = ramp_[kRampSize / 16 - 1].lanes != ramp_[0].lanes;
-  return {ambient_[1] >> 12, (diffuse_[1] * ramp_range()) >> 12, is_gradual};
+  const bool is_gradual = diffuse_[1] == 0 || ramp_[kRampSize / 16 - 1].lanes != ramp_[0].lanes;
+  return {static_cast<std::int32_t>(ambient_[1] >> 12),
+          static_cast<std::int32_t>((diffuse_[1] * ramp_range()) >> 12), is_gradual};
 }
 
 }  // namespace arcspan

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/numbers/fixed_formats.hpp>
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstdint>
@@ -33,13 +34,13 @@ struct TriangleLight {
 
 /// A channel of diffuse light as a linear function of its scalar, in 256ths of an 8-bit step.
 struct LinearLevel {
-  std::uint32_t dark;  ///< without light
-  std::uint32_t rise;  ///< what full light adds
-  bool is_gradual;     ///< false for light in steps
+  std::int32_t dark;  ///< without light
+  std::int32_t rise;  ///< what a scalar of 1 adds, at most 2^18
+  bool is_gradual;    ///< false for light in steps
 
-  /// The level at a scalar of 0...1, which may be above 65280.
+  /// The level at a scalar, below 0 and above 65280 where light is less than none or more than full.
   [[nodiscard]] constexpr std::int32_t at(Cosine scalar) const {
-    return static_cast<std::int32_t>(dark + ((static_cast<std::uint32_t>(scalar.raw() >> 15) * rise) >> 15));
+    return dark + multiply_high(scalar.raw(), wrap_shl(rise, 32 - Cosine::kFraction));
   }
 };
 

@@ -89,7 +89,6 @@ constexpr void prepare_line(const RasterPosition& a, const RasterPosition& b, st
   const std::int32_t dx = bottom.x - top.x;
   const std::int32_t dy = bottom.y - top.y;
   line.leftwards = dx < 0;
-  line.bias = bias;
   const std::int32_t width = dx < 0 ? -dx : dx;
   const std::int32_t left = dx < 0 ? bottom.x : top.x;
   line.first_row = static_cast<std::int16_t>(detail::pixel_of(top.y));
@@ -100,6 +99,9 @@ constexpr void prepare_line(const RasterPosition& a, const RasterPosition& b, st
   line.edge = {};
   const std::int32_t above = detail::biased_depth(top.z, bias);
   const std::int32_t below = detail::biased_depth(bottom.z, bias);
+  // Less than the bias where that ends at the near plane, the mean of both ends.
+  line.bias =
+      static_cast<std::uint16_t>((std::int32_t{top.z} - above + (std::int32_t{bottom.z} - below)) >> 1);
   if (line.flat) {
     const std::int32_t inset = line.left * 16 + 8 - left;
     detail::place_line_depth(line.leftwards ? below : above, line.leftwards ? above : below, width, inset,

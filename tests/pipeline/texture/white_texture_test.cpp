@@ -149,9 +149,15 @@ std::ptrdiff_t grey_differences(Coefficient ambient, Coefficient diffuse, std::i
   std::array<DirectionalLight, Lights> lights{};
   lights[0] = {normalised(2, 3, 4), Coefficient::of(0.9)};
   if constexpr (Lights == 2) lights[1] = {normalised(-3, 1, 2), Coefficient::of(0.6)};
+  // Without highlights, or those of full light would lie on all that it reaches.
+  Coefficient specular = Coefficient::of(0.5);
+  if constexpr (Lights > 2) {
+    lights.fill({normalised(0, 0, 1), Coefficient::of(1.0)});
+    specular = {};
+  }
   Lit lit;
-  REQUIRE(ok(Lit::make({grey(ambient), grey(diffuse), grey(Coefficient::of(0.5)), 24}, lights,
-                       normalised(0, 0, 1), lit)));
+  REQUIRE(
+      ok(Lit::make({grey(ambient), grey(diffuse), grey(specular), 24}, lights, normalised(0, 0, 1), lit)));
   REQUIRE(ok(lit.set_tolerance(4)));
   if (toon != 0) REQUIRE(ok(lit.set_toon(toon)));
   std::ptrdiff_t more = 0;
@@ -207,6 +213,8 @@ TEST_CASE("grey light on a white texture is that of the method") {
   CHECK(grey_differences<1>(kDim, kBright, 0) == 0);
   CHECK(grey_differences<2>(kDim, kBright, 0) == 0);
   CHECK(grey_differences<1>(kBright, kBright, 0) == 0);
+  CHECK(grey_differences<3>(kDim, kBright, 0) == 0);
+  CHECK(grey_differences<4>(kDim, kBright, 0) == 0);
   CHECK(grey_differences<1>(kBright, Coefficient{}, 0) == 0);
   // Steps end a little further on where N·L is a little larger.
   CHECK(grey_differences<1>(kDim, kBright, 2) <= 10);

@@ -274,10 +274,10 @@ TEST_CASE("scenes: meshes and nodes that the loader does not find are left out, 
 
 TEST_CASE("scenes: joints of a second skeleton with the names of the first are no silent exchange") {
   std::string text = ColladaTube().text();
-  text.insert(
-      text.find("</visual_scene>"),
-      "<node id='of_other' sid='upper' type='JOINT'/><node id='of_a_third' sid=\"lower\" type=\"JOINT\"/>"
-      "<node id='no_joint' sid='upper'/>");
+  text.insert(text.find("</visual_scene>"),
+              "<node\n  id='of_other'\tsid='upper'\n  type='JOINT'/><node id='of_a_third' sid=\"lower\" "
+              "type=\"JOINT\"/>"
+              "<node id='no_joint' sid='upper'/>");
   CHECK(model_of("tube.dae", text).warnings ==
         std::vector<std::string>{
             "left out: joints with the sid of another, which meshes follow in their place (2)"});

@@ -58,12 +58,12 @@ struct LevelArc : Arc<Illumination> {
   }
 
  private:
-  /// Returns false if light ends within the triangle, is in steps, or is more than full.
+  /// Returns false if light ends within the triangle, is in steps, or becomes full within it.
   template <class Lighting>
   [[nodiscard]] static constexpr bool set_levels(const Lighting& lighting, const SurfaceChoice& choice,
                                                  const Vertex& top, const Vertex& middle,
                                                  const Vertex& bottom, CornerLevels& levels) {
-    constexpr std::int32_t kMostLevel = 65280;
+    constexpr std::int32_t kFullLevel = 65280;
     constexpr std::int32_t kSlack = 256;  // of scalars that are lengthened, a step of 255
     const Cosine a = Surface::diffuse(lighting, choice, top);
     const Cosine b = Surface::diffuse(lighting, choice, middle);
@@ -72,11 +72,15 @@ struct LevelArc : Arc<Illumination> {
     if (choice.light.reach == LightReach::kDiffuse && !level.is_gradual) return false;
     if ((a.raw() | b.raw() | c.raw()) < 0) return false;
     levels = {{level.at(a), level.at(b), level.at(c)}};
+    int full = 0;
+    bool exceeds = false;
     for (std::int32_t& at : levels.at) {
-      if (at > kMostLevel + kSlack) return false;
-      if (at > kMostLevel) at = kMostLevel;
+      if (at < kFullLevel) continue;
+      if (at > kFullLevel + kSlack) exceeds = true;
+      at = kFullLevel;
+      ++full;
     }
-    return true;
+    return full == 3 || !exceeds;
   }
 };
 

@@ -404,12 +404,11 @@ std::string without_blanks_before_numbers(std::string_view xml) {
 
 /// An attribute in the text of a tag; empty if there is none.
 std::string_view attribute(std::string_view tag, const std::string& name) {
-  for (const char quote : {'"', '\''}) {
-    const std::string begins = " " + name + "=" + quote;
-    const std::size_t at = tag.find(begins);
-    if (at == std::string_view::npos) continue;
-    const std::string_view value = tag.substr(at + begins.size());
-    return value.substr(0, value.find(quote));
+  for (std::size_t at = tag.find(name); at != std::string_view::npos; at = tag.find(name, at + 1)) {
+    if (at == 0 || std::strchr(" \t\r\n", tag[at - 1]) == nullptr) continue;
+    const std::string_view rest = tag.substr(at + name.size());
+    if (rest.size() < 2 || rest[0] != '=' || (rest[1] != '"' && rest[1] != '\'')) continue;
+    return rest.substr(2, rest.find(rest[1], 2) - 2);
   }
   return {};
 }
@@ -418,9 +417,10 @@ std::string_view attribute(std::string_view tag, const std::string& name) {
 /// character. The library looks for a mesh's joints in the whole scene, and takes the first of each sid.
 void count_shared_joints(std::string_view xml, LeftOutCounts& counts) {
   if (xml.find("<instance_controller") == std::string_view::npos) return;
+  constexpr std::string_view kNode = "<node";
   std::set<std::string_view> known;
-  for (std::size_t at = xml.find("<node "); at < xml.size(); at = xml.find("<node ", at + 1)) {
-    const std::string_view tag = xml.substr(at, xml.find('>', at) - at);
+  for (std::size_t at = xml.find(kNode); at < xml.size(); at = xml.find(kNode, at + 1)) {
+    const std::string_view tag = xml.substr(at, xml.find_first_of("<>", at + 1) - at);
     const std::string_view sid = attribute(tag, "sid");
     if (sid.empty() || attribute(tag, "type") != "JOINT" || known.insert(sid).second) continue;
     ++counts["joints with the sid of another, which meshes follow in their place"];

@@ -200,7 +200,8 @@ class PerspectiveTexture {
     const std::int32_t length = length_of_piece(left);
     // The last piece ends at its last pixel, because 1/w may vanish beyond the triangle.
     const bool last = length >= left;
-    const std::int32_t steps = last ? left - 1 : length;
+    std::int32_t steps = last ? left - 1 : length;
+    if (left == 1) steps = triangle_->lone_step;
     Relative end = at_;
     std::int32_t du = 0;
     std::int32_t dv = 0;
@@ -234,7 +235,7 @@ class PerspectiveTexture {
   constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
     TextureTriangle& t = *triangle_;
     const std::int32_t least = t.least_q >> 1;
-    const std::int32_t middle = wrap_sub(q_, wrap_mul(t.q.dx.raw(), steps >> 1));
+    const std::int32_t middle = wrap_sub(q_, wrap_mul(t.q.dx.raw(), (steps + 1) >> 1));
     const std::int32_t log_q = detail::low_log2(static_cast<std::uint32_t>(middle < least ? least : middle));
     const std::int32_t log_area = t.log_area - 3 * log_q;
     // A step is K / q^2, with the same K in the whole row.

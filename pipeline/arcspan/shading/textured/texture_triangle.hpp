@@ -47,6 +47,9 @@ struct TextureTriangle : TextureLevel {
   std::uint8_t u_shift;    ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t v_shift;    ///< the same for v
   std::uint8_t piece;      ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
+  /// The steps by which a row of one pixel finds its mip level: one, beyond the triangle; none without levels
+  /// and in slivers, where slopes are not per pixel.
+  std::uint8_t lone_step;
   bool middle_left;
   TextureSize size;
   std::int32_t log_area;  ///< in perspective what area_at() takes, otherwise log_area_of(); with levels only
@@ -245,6 +248,7 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   over_w(f_v, t.v);
   const Extent q_extent(q[0], q[1], q[2]);
   t.least_q = q_extent.least;
+  t.lone_step = t.size.levels != 1 && frame.width >= 0x10000u ? 1 : 0;
   if (t.size.levels != 1) {
     // Areas of a plane in perspective: that of a triangle is D / (q0 q1 q2), of a pixel D / q^3.
     for (const std::int32_t corner : q) t.log_area += low_log2(static_cast<std::uint32_t>(corner));

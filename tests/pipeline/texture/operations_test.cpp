@@ -492,8 +492,7 @@ TEST_CASE("lines and points have the fog of where they are, whatever their bias"
   const DepthBias bias{GENERATE(as<std::uint16_t>{}, 2000, 65535)};
   const ClipTransform transform = camera();
   const Misty::Lighting misty(Unlit::lighting({0, 0, 0}), parameters<Fogged>());
-  const Wires::Lighting wires(WithOperation<Misty, Opacity<>>::Lighting(misty, Opacity<>{32}),
-                              bias);
+  const Wires::Lighting wires(WithOperation<Misty, Opacity<>>::Lighting(misty, Opacity<>{32}), bias);
   for (std::int16_t z = 20000; z >= -28000; z = static_cast<std::int16_t>(z - 1600)) {
     const std::array<ObjectPosition, 3> corners{{{-kSide, -kSide, z}, {kSide, -kSide, z}, {0, kSide, z}}};
     const double share = std::clamp((30000.0 - z - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0);
@@ -506,11 +505,9 @@ TEST_CASE("lines and points have the fog of where they are, whatever their bias"
       REQUIRE(ok(draw_mesh<Wires>(mesh, transform, wires, picture.frame, picture.depth).status));
     } else if (kind == 1) {
       const ObjectLine line{corners[0], corners[2]};
-      REQUIRE(
-          ok(draw_lines<Misty>({&line, 1}, transform, misty, picture.frame, picture.depth, bias)));
+      REQUIRE(ok(draw_lines<Misty>({&line, 1}, transform, misty, picture.frame, picture.depth, bias)));
     } else {
-      REQUIRE(ok(
-          draw_points<Misty>(corners, 3, transform, misty, picture.frame, picture.depth, bias)));
+      REQUIRE(ok(draw_points<Misty>(corners, 3, transform, misty, picture.frame, picture.depth, bias)));
     }
     int drawn = 0;
     for (std::int32_t y = 0; y < kHeight; ++y) {

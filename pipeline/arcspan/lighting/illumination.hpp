@@ -380,9 +380,12 @@ class Illumination : private FadeFor<Features>,
     };
     return PackedRgb::of(level(0), level(1), level(2));
   }
-  /// True if a light's highlight may reach N·L = 0, where it ends or fades, so that errors of N·L show more.
-  [[nodiscard]] constexpr bool may_end(std::size_t light) const;
-  /// The slope of c^n by c at a half distance, as a part of the slope at c = 1, 15 fraction bits.
+  /// True if a light's highlight may reach N·L = 0 in a triangle with these scalars at its vertices. There it
+  /// ends or fades, so that errors of N·L show more.
+  [[nodiscard]] constexpr bool may_end(std::size_t light, const Scalars& a, const Scalars& b,
+                                       const Scalars& c) const;
+  /// The slope of c^n by c at a half distance, as a part of the slope at c = 1, 15 fraction bits; above 1 by
+  /// up to 1/8 if n = 1.
   [[nodiscard]] constexpr std::uint32_t highlight_slope(std::int32_t half_distance) const;
   /// Sets what depends on the tolerance.
   constexpr void set_limits();

@@ -105,23 +105,16 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_in_triangl
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr std::uint32_t Illumination<Lights, Model, Features>::largest_weight(std::size_t light) const {
   if constexpr (kWeighsChannels) {
-    const Weights& weights = weights_[light];
-    const std::uint32_t more = weights[0] > weights[1] ? weights[0] : weights[1];
-    return more > weights[2] ? more : weights[2];
+    return largest_channel(weights_[light]);
   } else {
     return highlight_weight(light);
   }
 }
 
-/// With p = c^n and h = (1 - c) / 2 the slope is c^(n - 1) = p / c: at most p (1 + 4 h) for c of at least
-/// 1/2, and 2^(1 - n) below.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     const Scalars& a, const Scalars& b, const Scalars& c, std::uint32_t ab, std::uint32_t ac,
     std::uint32_t bc) const {
-  // At N·L = 0 a highlight ends abruptly, or fades above it, so that an error of N·L shows, too. It is below
-  // 2^-7.
-  const std::int32_t lit_from = fade_end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
   HighlightBound bound{INT32_MAX, 0};
   std::uint32_t slopes = 0;  // 15 fraction bits, as the weights
   std::uint32_t weights = 0;
@@ -132,19 +125,7 @@ constexpr HighlightBound Illumination<Lights, Model, Features>::highlights_over(
     const std::int32_t nearest = nearest_in_triangle(i, 0, a, b, c, ab, ac, bc);
     if (nearest < bound.nearest) bound.nearest = nearest;
     if (nearest >= power_.half_reach()) continue;
-    // By N·H a highlight may reach N·L = 0. By R·V it cannot if (1 + L·V) / 2 - x is beyond the reach for x =
-    // lit_from: the half distance (1 + L·V) / 2 - (N·L)(N·V) is at least that wherever N·L is x.
-    const bool may_end =
-        Model == Highlight::kBlinn || half_one_plus_light_eye_[i] - lit_from < power_.half_reach();
-    const std::uint32_t h = nearest < 0 ? 0 : static_cast<std::uint32_t>(nearest);
-    if (may_end && (a[i].raw() < lit_from || b[i].raw() < lit_from || c[i].raw() < lit_from)) {
-      slopes += weight;
-    } else if (h > std::uint32_t{1} << 28) {
-      slopes += weight >> (shininess_ - 1);  // below half_reach() only if n < 10
-    } else {
-      const std::uint32_t power = power_.at_distance(h);
-      slopes += (weight * (power + ((power * (h >> 15)) >> 13))) >> 15;
-    }
+    slopes += may_end(i, a, b, c) ? weight : (weight * highlight_slope(nearest)) >> 15;
   }
   if constexpr (Lights == 1) {
     bound.slope = slopes >= 32768 ? HighlightBound::kBrightest : static_cast<std::uint8_t>(slopes >> 11);

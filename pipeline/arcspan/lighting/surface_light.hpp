@@ -104,9 +104,12 @@ constexpr bool Illumination<Lights, Model, Features>::is_dark([[maybe_unused]] c
 /// L·V) / 2 - (N·L)(N·V) is at least that. x is 2^-7 above the N·L from which on highlights have their full
 /// strength.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr bool Illumination<Lights, Model, Features>::may_end(std::size_t light) const {
+constexpr bool Illumination<Lights, Model, Features>::may_end(std::size_t light, const Scalars& a,
+                                                              const Scalars& b, const Scalars& c) const {
   const std::int32_t lit_from = fade_end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
-  return Model == Highlight::kBlinn || half_one_plus_light_eye_[light] - lit_from < power_.half_reach();
+  if (Model == Highlight::kPhong && half_one_plus_light_eye_[light] - lit_from >= power_.half_reach())
+    return false;
+  return a[light].raw() < lit_from || b[light].raw() < lit_from || c[light].raw() < lit_from;
 }
 
 /// With p = c^n and h = (1 - c) / 2 the slope is c^(n - 1) = p / c: at most p (1 + 4 h) for c of at least
@@ -118,8 +121,7 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(
   const std::uint32_t h = half_distance < 0 ? 0 : static_cast<std::uint32_t>(half_distance);
   if (h > std::uint32_t{1} << 28) return 32768u >> (shininess_ - 1);  // below half_reach() only if n < 10
   const std::uint32_t power = power_.at_distance(h);
-  const std::uint32_t slope = power + ((power * (h >> 15)) >> 13);
-  return slope < 32768u ? slope : 32768u;
+  return power + ((power * (h >> 15)) >> 13);
 }
 
 /// The linear normal is shorter than 1 by at most e/2, where e is at most a third of the widest squared chord
@@ -137,11 +139,7 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
     const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
     if (distance < nearest) nearest = distance;
     if constexpr (Lights == 1) brightest = largest(a[i], b[i], c[i]);
-    if (distance < shine_reach_ && may_end(i)) {
-      constexpr std::int32_t kBright = std::int32_t{1} << (Cosine::kFraction - 7);
-      const std::int32_t lit_from = fade_end().raw() + kBright;
-      ends = ends || a[i].raw() < lit_from || b[i].raw() < lit_from || c[i].raw() < lit_from;
-    }
+    if (distance < shine_reach_) ends = ends || may_end(i, a, b, c);
   }
   const std::uint32_t s = widest >> 13;  // 15 fraction bits
   const auto is_linear = [this, s](std::int32_t most) {
@@ -161,7 +159,8 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
       return result;
     }
   }
-  const std::uint32_t slope = ends ? 32768u : highlight_slope(nearest);
+  const std::uint32_t of_nearest = ends ? 32768u : highlight_slope(nearest);
+  const std::uint32_t slope = of_nearest < 32768u ? of_nearest : 32768u;
   const std::uint32_t sharp = (sharpness_ * (slope >> 3)) >> 12;
   if constexpr (Lights > 1) brightest = std::int32_t{1} << Cosine::kFraction;
   result.linear = is_linear(brightest) && s < 4096 && ((sharp * s) >> 9) <= allowed_highlight_;

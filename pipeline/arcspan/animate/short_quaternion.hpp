@@ -17,7 +17,7 @@ namespace arcspan::detail {
 template <class Component>
 void shorten(const Component (&c)[4], std::int32_t (&q)[4]) {
   std::uint64_t bits = 0;
-  for (const Component v : c) bits |= static_cast<std::uint64_t>(v < 0 ? -std::int64_t{v} : std::int64_t{v});
+  for (const Component v : c) bits |= magnitude(std::int64_t{v});
   const int width = static_cast<int>(std::bit_width(bits));
   const int down = width > 15 ? width - 15 : 0;
   const Component half = down == 0 ? Component{0} : static_cast<Component>(Component{1} << (down - 1));

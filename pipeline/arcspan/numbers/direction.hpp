@@ -71,9 +71,6 @@ namespace detail {
 
 /// The unit vector along (x, y, z), a vector of any length. The zero vector gives the zero vector.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised(std::int32_t x, std::int32_t y, std::int32_t z) {
-  const auto magnitude = [](std::int32_t v) {
-    return v < 0 ? 0u - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);
-  };
   const std::uint32_t bits = magnitude(x) | magnitude(y) | magnitude(z);
   if (bits == 0) return {};
   // Scaled so that the largest component has 15 bits, the sum of squares fits 32 bits.
@@ -100,10 +97,7 @@ namespace detail {
 /// normalised() for wider components.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised_wide(std::int64_t x, std::int64_t y,
                                                                   std::int64_t z) {
-  const auto size = [](std::int64_t v) {
-    return v < 0 ? 0 - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v);
-  };
-  const int bits = static_cast<int>(std::bit_width(size(x) | size(y) | size(z)));
+  const int bits = static_cast<int>(std::bit_width(magnitude(x) | magnitude(y) | magnitude(z)));
   const int down = bits > 31 ? bits - 31 : 0;
   return normalised(static_cast<std::int32_t>(x >> down), static_cast<std::int32_t>(y >> down),
                     static_cast<std::int32_t>(z >> down));

@@ -26,6 +26,14 @@ namespace arcspan {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) << bits);
 }
 
+/// |v|, also of the least number.
+[[nodiscard]] constexpr std::uint32_t magnitude(std::int32_t v) {
+  return v < 0 ? 0 - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v);
+}
+[[nodiscard]] constexpr std::uint64_t magnitude(std::int64_t v) {
+  return v < 0 ? 0 - static_cast<std::uint64_t>(v) : static_cast<std::uint64_t>(v);
+}
+
 /// v >> Shift clamped to the range of unsigned integers of `Bits` bits. One instruction on processors that
 /// saturate; one comparison on others, where nothing is clamped.
 template <int Bits, int Shift>

@@ -118,7 +118,7 @@ namespace detail {
                                                           std::int32_t signed_divisor,
                                                           const Reciprocal& reciprocal) {
   const auto divisor = static_cast<std::uint32_t>(signed_divisor);
-  auto rest = static_cast<std::uint32_t>(signed_dividend < 0 ? -signed_dividend : signed_dividend);
+  std::uint32_t rest = magnitude(signed_dividend);
   const auto digit = [&](int bits) {
     std::uint32_t quotient = (rest * reciprocal.mantissa) >> (reciprocal.exponent - bits);
     rest = (rest << bits) - quotient * divisor;

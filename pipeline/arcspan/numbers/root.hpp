@@ -10,25 +10,13 @@
 
 namespace arcspan {
 
-/// floor(sqrt(v)), exact for every v. It takes 16 steps, one per bit of the root: fit for the set-up of
-/// objects, too slow for pixels.
-[[nodiscard]] constexpr std::uint32_t integer_root(std::uint32_t v) {
-  std::uint32_t root = 0;
-  for (std::uint32_t bit = std::uint32_t{1} << 30; bit != 0; bit >>= 2) {
-    if (v >= root + bit) {
-      v -= root + bit;
-      root = (root >> 1) + bit;
-    } else {
-      root >>= 1;
-    }
-  }
-  return root;
-}
+namespace detail {
 
-/// floor(sqrt(v)), exact for every 64-bit v, in 32 steps.
-[[nodiscard]] constexpr std::uint32_t wide_integer_root(std::uint64_t v) {
-  std::uint64_t root = 0;
-  for (std::uint64_t bit = std::uint64_t{1} << 62; bit != 0; bit >>= 2) {
+/// floor(sqrt(v)), a step per bit of the root.
+template <class Number>
+[[nodiscard]] constexpr std::uint32_t root_by_bits(Number v) {
+  Number root = 0;
+  for (Number bit = Number{1} << (8 * sizeof(Number) - 2); bit != 0; bit >>= 2) {
     if (v >= root + bit) {
       v -= root + bit;
       root = (root >> 1) + bit;
@@ -38,6 +26,14 @@ namespace arcspan {
   }
   return static_cast<std::uint32_t>(root);
 }
+
+}  // namespace detail
+
+/// floor(sqrt(v)), exact for every v. It takes 16 steps: fit for the set-up of objects, too slow for pixels.
+[[nodiscard]] constexpr std::uint32_t integer_root(std::uint32_t v) { return detail::root_by_bits(v); }
+
+/// floor(sqrt(v)), exact for every 64-bit v, in 32 steps.
+[[nodiscard]] constexpr std::uint32_t wide_integer_root(std::uint64_t v) { return detail::root_by_bits(v); }
 
 /// A reciprocal root 1/sqrt(v) = mantissa * 2^-exponent, mantissa in [2^15, 2^16].
 struct ReciprocalRoot {

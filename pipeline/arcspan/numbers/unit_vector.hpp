@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/numbers/root.hpp>
 #include <arcspan/target.hpp>
 
@@ -18,7 +19,6 @@ template <std::size_t Count>
 [[nodiscard]] ARCSPAN_OUTLINE constexpr std::array<std::int32_t, Count> unit_vector30(
     const std::array<std::int64_t, Count>& v) {
   static_assert(Count <= 4);
-  const auto magnitude = [](std::int64_t c) { return static_cast<std::uint64_t>(c < 0 ? -c : c); };
   std::uint64_t bits = 0;
   for (const std::int64_t c : v) bits |= magnitude(c);
   std::array<std::int32_t, Count> unit{};

@@ -13,7 +13,6 @@
 /// Flat outlines are walked by columns with the code that walks steep ones by rows, x and y exchanged.
 namespace arcspan::detail {
 
-[[nodiscard]] constexpr std::int32_t magnitude_of(std::int32_t v) { return v < 0 ? -v : v; }
 [[nodiscard]] constexpr RasterPosition exchanged(const RasterPosition& p) { return {p.y, p.x, p.z}; }
 
 /// A rectangle of the picture relative to the raster origin.

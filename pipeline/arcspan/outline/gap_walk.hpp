@@ -66,7 +66,7 @@ class GapWalk {
   [[nodiscard]] ARCSPAN_INLINE std::int32_t rows() const { return rows_; }
   [[nodiscard]] ARCSPAN_INLINE std::int32_t end() const { return end_; }
   [[nodiscard]] ARCSPAN_INLINE GapSlope slope() const {
-    return GapSlope(static_cast<std::uint32_t>((walk_.step < 0 ? -walk_.step : walk_.step) >> 16));
+    return GapSlope(static_cast<std::uint32_t>(magnitude(walk_.step) >> 16));
   }
 
   /// The distance of the edge from the middle between the centres of column() - 1 and column(), to the right,

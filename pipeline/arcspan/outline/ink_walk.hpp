@@ -87,7 +87,7 @@ class InkWalk {
   ARCSPAN_INLINE void set_across(bool is_round) {
     const auto step = static_cast<std::int32_t>(walk_.step >> 17);  // 15 fraction bits, 1 or less
     const std::int32_t lean = outward(step);
-    const auto s = static_cast<std::uint32_t>(lean < 0 ? -lean : lean);
+    const std::uint32_t s = magnitude(lean);
     const std::uint32_t square = (s * s) >> 14;  // 16 fraction bits
     across_ = width_ * static_cast<std::int32_t>(65536 + (square * 27146 >> 16));
     const std::uint32_t along = s - (square * 9502 >> 16);

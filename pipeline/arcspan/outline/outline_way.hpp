@@ -96,7 +96,7 @@ class OutlineRect {
   /// The way of an edge. Exchanges x and y of its ends if it is flat, then the ends if `bottom` is above.
   ARCSPAN_INLINE const OutlineWay& way_along(RasterPosition& top, RasterPosition& bottom) const {
     const OutlineWay* way = ways_;
-    if (magnitude_of(bottom.y - top.y) < magnitude_of(bottom.x - top.x)) {
+    if (magnitude(std::int32_t{bottom.y} - top.y) < magnitude(std::int32_t{bottom.x} - top.x)) {
       top = exchanged(top);
       bottom = exchanged(bottom);
       way += 2;

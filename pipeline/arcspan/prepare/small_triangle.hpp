@@ -248,7 +248,7 @@ constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPos
   const std::int32_t area = short_dx * dy - dx * short_dy;  // doubled_area()
   triangle.of_middle = {dy * left - dx * above, dy * 16, dx * -16};
   triangle.of_bottom = {short_dx * above - short_dy * left, short_dy * -16, short_dx * 16};
-  const auto size = static_cast<std::uint32_t>(area < 0 ? -area : area);  // below 2^16
+  const std::uint32_t size = magnitude(area);  // below 2^16
   const int zeros = leading_zeros(size | 1u);
   const std::uint32_t wide = detail::wide_reciprocal_mantissa(size << zeros);
   // Reduced by more than its error, so that no product with an edge function exceeds 1.

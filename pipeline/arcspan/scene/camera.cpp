@@ -75,7 +75,7 @@ bool Camera::place(const WorldPoint& position, const Rotation& rotation, WorldLe
   for (std::size_t i = 0; i < 3; ++i) {
     view[i] = along(rotation_, i, from_eye);
     if (i == 2) view[i] -= set_back_;
-    largest |= static_cast<std::uint64_t>(detail::magnitude64(view[i]));
+    largest |= magnitude(view[i]);
   }
   const UnitConversion to_units(scale, largest, parallel_ ? 1 : WidePlacement::kLeastUnitBits);
   if (to_units.unit_bits() > WidePlacement::kMostUnitBits) return false;

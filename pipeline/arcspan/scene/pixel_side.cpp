@@ -19,7 +19,7 @@ PixelSide make_pixel_side(const SceneSlot& slot, PictureAxis axis, std::int32_t 
   std::uint64_t sum = 0;
   for (std::size_t j = 0; j < 3; ++j) {
     factors[j] = of_plane(transform.entry(row, j), transform.entry(2, j));
-    sum += static_cast<std::uint64_t>(factors[j] < 0 ? -factors[j] : factors[j]);
+    sum += magnitude(factors[j]);
   }
   // Clip coordinates and those of clipped vertices are rounded by less than this; see is_beyond().
   constexpr std::int64_t kRounding = 32;
@@ -37,10 +37,9 @@ PixelSide make_pixel_side(const SceneSlot& slot, PictureAxis axis, std::int32_t 
   // Each factor is rounded down by less than 1, times a coordinate of up to 2^15.
   constexpr std::int32_t kOfFactors = 3 * (std::int32_t{1} << 15);
   const std::int32_t reach = static_cast<std::int32_t>(tolerance >> shift) + kOfFactors + 2;
-  constexpr std::int64_t kMost = std::int64_t{1} << 30;
   const std::int64_t origin =
       of_plane(transform.offset(row), transform.offset(2)) * (std::int32_t{1} << 14) >> shift;
-  const auto at = static_cast<std::int32_t>(origin < -kMost ? -kMost : origin > kMost ? kMost : origin);
+  const std::int32_t at = limited(origin, std::int32_t{1} << 30);
   const auto factor = [&](std::size_t j) { return static_cast<std::int32_t>(factors[j] >> shift); };
   return {factor(0), factor(1), factor(2), at + reach, 2 * reach};
 }

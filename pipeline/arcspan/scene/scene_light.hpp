@@ -76,10 +76,10 @@ constexpr DirectionalLight SceneLight::seen_from(const WorldPoint& at, const Rot
   if (!is_point()) return {rotation.to_object(towards_), strength_, colour_};
   const std::array<std::int64_t, 3> to_light = detail::difference(at, position_);
   // The largest component has at most 31 bits, so that the sum of squares fits 64.
-  const auto size = [](std::int64_t c) { return static_cast<std::uint64_t>(c < 0 ? -c : c); };
-  const int down = static_cast<int>((size(to_light[0]) | size(to_light[1]) | size(to_light[2])) >> 31);
+  const int down =
+      static_cast<int>((magnitude(to_light[0]) | magnitude(to_light[1]) | magnitude(to_light[2])) >> 31);
   std::uint64_t square = 0;
-  for (const std::int64_t c : to_light) square += (size(c) >> down) * (size(c) >> down);
+  for (const std::int64_t c : to_light) square += (magnitude(c) >> down) * (magnitude(c) >> down);
   const std::uint64_t distance = std::uint64_t{wide_integer_root(square)} << down;
   const auto half = static_cast<std::uint64_t>(half_.raw());
   const auto left =

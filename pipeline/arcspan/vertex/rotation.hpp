@@ -59,10 +59,7 @@ inline constexpr std::int64_t kOne30 = std::int64_t{1} << 30;
 
 /// `value` with 30 fraction bits, saturated to 1 - 2^-30 in magnitude.
 [[nodiscard]] constexpr RotationEntry rotation_entry(std::int64_t value) {
-  const std::int64_t limit = kOne30 - 1;
-  return RotationEntry::from_raw(static_cast<std::int32_t>(value > limit    ? limit
-                                                           : value < -limit ? -limit
-                                                                            : value));
+  return RotationEntry::from_raw(limited(value, static_cast<std::int32_t>(kOne30 - 1)));
 }
 
 }  // namespace detail

@@ -8,9 +8,8 @@ ScreenPoint screen_point(const ClipTransform& transform, const ObjectPosition& p
   ClipPosition clip = transform(point);
   if (clip.w < transform.near_w()) return {};
   const bool in_guard_band = (outcode(clip, transform.w_range()) & ~kOutsideFar) == 0;
-  const auto into_guard_band = [w = clip.w](std::int32_t c) { return c < -w ? -w : c > w ? w : c; };
-  clip.x = into_guard_band(clip.x);
-  clip.y = into_guard_band(clip.y);
+  clip.x = limited(clip.x, clip.w);
+  clip.y = limited(clip.y, clip.w);
   const RasterPosition raster = project(clip, transform);
   const Viewport& viewport = transform.viewport();
   const auto from_side = [](std::int32_t from_origin, std::int32_t size) {

@@ -53,6 +53,10 @@ class ClipPolygon {
 
 namespace detail {
 
+/// The planes of the clip volume, in the order in which they cut.
+inline constexpr ClipOutcode kClipPlanes[] = {kOutsideNear, kOutsideLeft,   kOutsideRight,
+                                              kOutsideTop,  kOutsideBottom, kOutsideFar};
+
 /// The signed distance of a vertex from a plane of the clip volume, in clip-space units, positive inside.
 /// `plane` is one bit of an outcode; kInside gives 0.
 [[nodiscard]] ARCSPAN_COLD constexpr std::int32_t plane_distance(const ClipPosition& p, ClipOutcode plane,
@@ -130,10 +134,7 @@ constexpr void ClipPolygon<Method>::clip(ClipOutcode plane, const WRange& w_rang
 /// nothing is left.
 template <class Method>
 ARCSPAN_COLD constexpr void clip_polygon(ClipPolygon<Method>& polygon, const WRange& w_range) {
-  for (const ClipOutcode plane :
-       {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom, kOutsideFar}) {
-    polygon.clip(plane, w_range);
-  }
+  for (const ClipOutcode plane : detail::kClipPlanes) polygon.clip(plane, w_range);
 }
 
 }  // namespace arcspan

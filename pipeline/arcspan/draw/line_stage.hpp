@@ -54,8 +54,7 @@ template <OneColour Method, class Target>
 [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD inline bool clip_line(const ClipTransform& transform,
                                                                  ClipPosition p, ClipPosition q,
                                                                  RasterPosition& a, RasterPosition& b) {
-  for (const ClipOutcode plane :
-       {kOutsideNear, kOutsideLeft, kOutsideRight, kOutsideTop, kOutsideBottom, kOutsideFar}) {
+  for (const ClipOutcode plane : kClipPlanes) {
     const std::int32_t p_distance = plane_distance(p, plane, transform.w_range());
     const std::int32_t q_distance = plane_distance(q, plane, transform.w_range());
     if (p_distance < 0 && q_distance < 0) return false;

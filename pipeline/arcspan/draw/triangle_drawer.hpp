@@ -112,7 +112,7 @@ class TriangleDrawer {
       auto&& a = vertex<Filter>(source, t.a);
       auto&& b = vertex<Filter>(source, t.b);
       auto&& c = vertex<Filter>(source, t.c);
-      if (is_culled<Filter::kAllInside>(a, b, c)) continue;
+      if (is_hidden<Filter::kAllInside>(a, b, c)) continue;
       if constexpr (NotesSides<Source>) {
         source.note_side(i, Filter::kAllInside ? TriangleSide::kFront : side_of<Method>(a, b, c, two_sided_));
       }
@@ -127,21 +127,14 @@ class TriangleDrawer {
     }
   }
 
-  /// True if the triangle lies outside one plane of the clip volume, has no area, or shows its back and backs
-  /// are not drawn: the case of half of all triangles, before anything is set up.
+  /// True if the triangle is_culled(): the case of half of all triangles, before anything is set up.
   template <bool AllInside>
-  [[nodiscard]] ARCSPAN_INLINE bool is_culled(const Vertex& a, const Vertex& b, const Vertex& c) const {
+  [[nodiscard]] ARCSPAN_INLINE bool is_hidden(const Vertex& a, const Vertex& b, const Vertex& c) const {
     if constexpr (AllInside) {
       return doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0;
     } else {
-      if (!are_inside(a, b, c)) return (a.outcode & b.outcode & c.outcode) != 0;
-      const std::int32_t doubled = doubled_area(a.raster.position, b.raster.position, c.raster.position);
-      return is_culled_by_area<Method>(doubled, two_sided_);
+      return is_culled(a, b, c, two_sided_);
     }
-  }
-
-  [[nodiscard]] static bool are_inside(const Vertex& a, const Vertex& b, const Vertex& c) {
-    return (a.outcode | b.outcode | c.outcode) == 0;
   }
 
   /// Draws a triangle that is not culled and not clipped, and counts it if a part of it is in view.

@@ -54,13 +54,11 @@ template <class Method>
 [[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
                                    const CachedVertex<Method>& c, std::int32_t height, int bits,
                                    bool two_sided) {
-  if ((a.outcode | b.outcode | c.outcode) != 0) {
-    return (a.outcode & b.outcode & c.outcode) != 0 ? TriangleRows::culled() : TriangleRows::any();
-  }
+  if (is_culled(a, b, c, two_sided)) return TriangleRows::culled();
+  if (!are_inside(a, b, c)) return TriangleRows::any();
   const RasterPosition& p = a.raster.position;
   const RasterPosition& q = b.raster.position;
   const RasterPosition& r = c.raster.position;
-  if (is_culled_by_area<Method>(doubled_area(p, q, r), two_sided)) return TriangleRows::culled();
   const std::int32_t upper = p.y < q.y ? p.y : q.y;
   const std::int32_t lower = p.y > q.y ? p.y : q.y;
   const std::int32_t uppermost = upper < r.y ? upper : r.y;

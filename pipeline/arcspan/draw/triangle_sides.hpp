@@ -40,25 +40,13 @@ template <class Method>
 [[nodiscard]] ARCSPAN_INLINE constexpr TriangleSide side_of(const CachedVertex<Method>& a,
                                                             const CachedVertex<Method>& b,
                                                             const CachedVertex<Method>& c, bool two_sided) {
-  if ((a.outcode | b.outcode | c.outcode) != 0) return TriangleSide::kCut;
+  if (!are_inside(a, b, c)) return TriangleSide::kCut;
   if (two_sided && doubled_area(a.raster.position, b.raster.position, c.raster.position) >= 0)
     return TriangleSide::kBack;
   return TriangleSide::kFront;
 }
 
-/// side_of() of a triangle that may be culled.
-template <class Method>
-[[nodiscard]] constexpr TriangleSide seen_side(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
-                                               const CachedVertex<Method>& c, bool two_sided) {
-  if ((a.outcode & b.outcode & c.outcode) != 0) return TriangleSide::kHidden;
-  if ((a.outcode | b.outcode | c.outcode) == 0 &&
-      is_culled_by_area<Method>(doubled_area(a.raster.position, b.raster.position, c.raster.position),
-                                two_sided))
-    return TriangleSide::kHidden;
-  return side_of(a, b, c, two_sided);
-}
-
-/// seen_side() of a triangle with these rows, backs of which are culled.
+/// The side of a triangle with these rows, which may be culled, as all backs are.
 [[nodiscard]] ARCSPAN_INLINE constexpr TriangleSide side_of(const TriangleRows& rows) {
   if (rows == TriangleRows::culled()) return TriangleSide::kHidden;
   return rows == TriangleRows::any() ? TriangleSide::kCut : TriangleSide::kFront;
@@ -138,7 +126,8 @@ requires VertexSource<std::remove_cvref_t<Source>, Method, Mesh>
     auto&& a = source.vertex(stage, t.a);
     auto&& b = source.vertex(stage, t.b);
     auto&& c = source.vertex(stage, t.c);
-    sides[i] = detail::seen_side<Method>(a, b, c, options.two_sided);
+    if (!detail::is_culled<Method>(a, b, c, options.two_sided))
+      sides[i] = detail::side_of<Method>(a, b, c, options.two_sided);
   }
   return Status::kOk;
 }

@@ -40,6 +40,24 @@ template <class Method>
   return doubled >= 0 && ((doubled == 0 && !DrawsEdges<Method>) || !two_sided);
 }
 
+/// True if all vertices of a triangle are inside the clip volume.
+template <class Method>
+[[nodiscard]] ARCSPAN_INLINE constexpr bool are_inside(const CachedVertex<Method>& a,
+                                                       const CachedVertex<Method>& b,
+                                                       const CachedVertex<Method>& c) {
+  return (a.outcode | b.outcode | c.outcode) == 0;
+}
+
+/// True if a triangle lies outside one plane of the clip volume, or is_culled_by_area().
+template <class Method>
+[[nodiscard]] ARCSPAN_INLINE constexpr bool is_culled(const CachedVertex<Method>& a,
+                                                      const CachedVertex<Method>& b,
+                                                      const CachedVertex<Method>& c, bool two_sided) {
+  if (!are_inside(a, b, c)) return (a.outcode & b.outcode & c.outcode) != 0;
+  return is_culled_by_area<Method>(doubled_area(a.raster.position, b.raster.position, c.raster.position),
+                                   two_sided);
+}
+
 }  // namespace detail
 
 /// Transforms and shades the vertices of one mesh, for a vertex source (draw/vertex_source.hpp).

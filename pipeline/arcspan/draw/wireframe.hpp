@@ -33,7 +33,7 @@ struct EdgeDrawer {
   /// Draws the edges of a triangle that is not culled.
   template <bool Clips, class Vertex>
   void draw(const TriangleIndices& t, const Vertex& a, const Vertex& b, const Vertex& c) const {
-    if ((a.outcode | b.outcode | c.outcode) == 0) {
+    if (are_inside(a, b, c)) {
       draw_edge(a.raster.position, b.raster.position);
       draw_edge(b.raster.position, c.raster.position);
       draw_edge(c.raster.position, a.raster.position);

@@ -41,22 +41,20 @@ template <class Used, bool KeepsVertices, DrawableMesh Mesh>
   return pixels_of(extent, options.edges, slot.transform.viewport());
 }
 
-/// Returns the drawn rectangle of the object of a slot, whose materials are for one of `Used`.
-template <bool KeepsVertices, class... Used>
-[[nodiscard]] Rect drawn_rect_of(MethodList<Used...>, const SceneHeader& header, SceneSlot& slot) {
+/// Returns the drawn rectangle of the object of a slot, whose materials are listed.
+template <bool KeepsVertices, class List>
+[[nodiscard]] Rect drawn_rect_of(List list, const SceneHeader& header, SceneSlot& slot) {
   if (!header.keeps_vertices) slot.held = nullptr;
   Rect rect{};
   for (std::size_t number = 0; number < slot.object->part_count(); ++number) {
     const Part part = slot.object->part(number);
     const MeshView mesh = slot.object->mesh().part(part.first, part.count);
-    const auto include = [&]<class U>() {
-      if (part.material->use() != &kUseFacts<U>) return;
+    with_use(list, part.material->use(), [&]<class U>() {
       const auto rect_of = [&](const auto& drawn) {
         return drawn_rect_of_part<U, KeepsVertices>(slot, drawn, number, *part.material);
       };
       rect = bounding_rect(rect, with_vertices<U>(*part.material, mesh, Rect{}, rect_of));
-    };
-    (include.template operator()<Used>(), ...);
+    });
   }
   return rect;
 }

@@ -50,18 +50,19 @@ namespace detail {
 }
 
 /// The vertices of an object of one part whose method draws curves; otherwise there are none.
-template <class... Used>
-[[nodiscard]] DrawnVertices curve_vertices(MethodList<Used...>, const Object& object) {
+template <class List>
+[[nodiscard]] DrawnVertices curve_vertices(List list, const Object& object) {
   DrawnVertices vertices;
-  const auto find = [&]<class U>(const SceneMaterial& material) {
-    if (material.use() != &kUseFacts<U> || !kDrawsCurves<typename U::Method>) return;
+  if (object.part_count() != 1) return vertices;
+  const SceneMaterial& material = *object.part(0).material;
+  with_use(list, material.use(), [&]<class U>() {
+    if constexpr (!kDrawsCurves<typename U::Method>) return;
     if constexpr (IsPosed<U>) {
       vertices = DrawnVertices(static_cast<const PosedMaterial<typename U::PosedMesh>&>(material).mesh());
     } else {
       vertices = DrawnVertices(object.mesh());
     }
-  };
-  if (object.part_count() == 1) (find.template operator()<Used>(*object.part(0).material), ...);
+  });
   return vertices;
 }
 
@@ -102,10 +103,10 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
   for (std::size_t i = 0; i < object.part_count() && ok(status); ++i) {
     const Part part = object.part(i);
     const MeshView triangles = mesh.part(part.first, part.count);
-    status = find_part_sides<Memory::kHasVertices>(
-        typename Memory::UseList{},
-        SidesCall<typename Memory::KeptRows>{slot, triangles, rows, *part.material,
-                                             outlines.sides.subspan(part.first, part.count)});
+    const SidesCall<typename Memory::KeptRows> call{slot, triangles, rows, *part.material,
+                                                    outlines.sides.subspan(part.first, part.count)};
+    with_use(typename Memory::UseList{}, part.material->use(),
+             [&]<class U>() { status = find_part_sides<U, Memory::kHasVertices>(call); });
     rows.next_part(part.count);
   }
   if (!ok(status)) return status;

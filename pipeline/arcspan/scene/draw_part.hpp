@@ -21,6 +21,13 @@ struct MethodList {};
 
 namespace detail {
 
+/// Calls function.operator()<U>() with the listed U whose facts these are. With others, or null, it does
+/// nothing.
+template <class... Used, class Function>
+ARCSPAN_INLINE constexpr void with_use(MethodList<Used...>, const UseFacts* use, const Function& function) {
+  (void)((use == &kUseFacts<Used> && (function.template operator()<Used>(), true)) || ...);
+}
+
 /// A part of an object to be drawn. `KeptRows` is PartRows or NoRows.
 template <class Sink, class Depth, class KeptRows>
 struct PartCall {

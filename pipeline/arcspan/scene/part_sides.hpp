@@ -33,6 +33,7 @@ struct SidesCall {
   std::span<TriangleSide> sides;
 };
 
+/// Finds the sides of a part whose material is for `Used`.
 template <class Used, bool KeepsVertices, class KeptRows>
 [[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
   const auto find_with = [&](const auto& mesh, auto&& vertices) {
@@ -49,16 +50,6 @@ template <class Used, bool KeepsVertices, class KeptRows>
   } else {
     return find_with(call.mesh, UncachedPart(call.rows));
   }
-}
-
-/// Finds the sides of a part by the method of its material, which is listed.
-template <bool KeepsVertices, class... Used, class KeptRows>
-[[nodiscard]] Status find_part_sides(MethodList<Used...>, const SidesCall<KeptRows>& call) {
-  Status status = Status::kOk;
-  (void)((call.material.use() == &kUseFacts<Used> &&
-          (status = find_part_sides<Used, KeepsVertices>(call), true)) ||
-         ...);
-  return status;
 }
 
 /// Stands for PartRows where a call draws and finds outlines: writes down the sides of an object's triangles
@@ -115,16 +106,14 @@ template <SceneMemoryType Memory>
 }
 
 /// The places of an object's vertices: those in its slot, if there are some.
-template <class... Used>
-[[nodiscard]] VertexPositions positions_of(MethodList<Used...>, const SceneSlot& slot) {
+template <class List>
+[[nodiscard]] VertexPositions positions_of(List list, const SceneSlot& slot) {
   VertexPositions positions(slot.transform);
-  const auto take = [&]<class U>() {
+  with_use(list, slot.held, [&]<class U>() {
     using Vertex = CachedVertex<typename U::Method>;
     const auto* const vertices = static_cast<const Vertex*>(static_cast<const void*>(slot.vertices));
     positions = VertexPositions(slot.transform, std::span(vertices, slot.object->mesh().vertex_count()));
-    return true;
-  };
-  (void)((slot.held == &kUseFacts<Used> && take.template operator()<Used>()) || ...);
+  });
   return positions;
 }
 

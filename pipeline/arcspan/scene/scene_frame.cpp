@@ -36,14 +36,6 @@ bool is_outside_range(const ClipSphere& sphere, const Extent& extent, std::int32
   return is_beyond(sphere, extent, 2 * begin - size - 1, -1) || is_beyond(sphere, extent, 2 * end - size, 1);
 }
 
-[[nodiscard]] Status check_lights(const LightList& lights) {
-  if (lights.lights.size() > std::tuple_size_v<decltype(ObjectLights::lights)>) return Status::kTooManyLights;
-  for (const SceneLight& light : lights.lights) {
-    if (!light.valid()) return Status::kInvalidArgument;
-  }
-  return in_unit_range(lights.ambient) ? Status::kOk : Status::kInvalidArgument;
-}
-
 [[nodiscard]] bool all_grey(const LightList& lights) {
   for (const SceneLight& light : lights.lights) {
     if (!is_grey(light.colour())) return false;
@@ -192,7 +184,8 @@ bool is_outside(const SceneSlot& slot, const Rect& rect) {
 
 Status prepare(const Scene& scene, const SceneFrame& frame) {
   SceneHeader& header = frame.header;
-  header = {scene.lights, &scene.camera, 0, false, check_lights(scene.lights)};
+  constexpr std::size_t kMostLights = std::tuple_size_v<decltype(ObjectLights::lights)>;
+  header = {scene.lights, &scene.camera, 0, false, check_lights(scene.lights, kMostLights)};
   if (scene.camera.viewport().width == 0) header.status = Status::kNotReady;
   for (const Object& object : scene.objects) {
     if (!ok(header.status)) break;

@@ -9,9 +9,11 @@
 #include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/unit_vector.hpp>
 #include <arcspan/scene/world.hpp>
+#include <arcspan/status.hpp>
 #include <arcspan/vertex/rotation.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -71,6 +73,19 @@ struct LightList {
   std::span<const SceneLight> lights;
   ChannelCoefficients ambient = kWhite;
 };
+
+namespace detail {
+
+/// Whether a method of so many lights can have these.
+[[nodiscard]] constexpr Status check_lights(const LightList& lights, std::size_t most) {
+  if (lights.lights.size() > most) return Status::kTooManyLights;
+  for (const SceneLight& light : lights.lights) {
+    if (!light.valid()) return Status::kInvalidArgument;
+  }
+  return in_unit_range(lights.ambient) ? Status::kOk : Status::kInvalidArgument;
+}
+
+}  // namespace detail
 
 constexpr DirectionalLight SceneLight::seen_from(const WorldPoint& at, const Rotation& rotation) const {
   if (!is_point()) return {rotation.to_object(towards_), strength_, colour_};

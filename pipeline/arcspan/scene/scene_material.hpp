@@ -254,11 +254,8 @@ template <class M>
 constexpr Status PreparedMaterial<M>::make(const Material& material, const LightList& lights,
                                            const DrawOptions& options, PreparedMaterial& prepared) {
   using Illumination = detail::IlluminationOf<Lighting>;
-  if (lights.lights.size() > Illumination::kLights) return Status::kTooManyLights;
-  if (!detail::in_unit_range(lights.ambient)) return Status::kInvalidArgument;
-  for (const SceneLight& light : lights.lights) {
-    if (!light.valid()) return Status::kInvalidArgument;
-  }
+  Status status = detail::check_lights(lights, Illumination::kLights);
+  if (!ok(status)) return status;
   constexpr Direction kAhead = normalised(0, 0, 1);
   std::array<DirectionalLight, Illumination::kLights> all{};
   for (DirectionalLight& light : all) light = {kAhead, Coefficient{}, kWhite};
@@ -266,7 +263,7 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
     all[i] = {kAhead, lights.lights[i].strength(), lights.lights[i].colour()};
   }
   Illumination illumination;
-  Status status = Illumination::make(detail::under(lights.ambient, material), all, kAhead, illumination);
+  status = Illumination::make(detail::under(lights.ambient, material), all, kAhead, illumination);
   if (ok(status)) status = illumination.set_tolerance(kDefaultTolerance);
   if (!ok(status)) return status;
   prepared = PreparedMaterial(Lighting(illumination), options, Unchecked{});

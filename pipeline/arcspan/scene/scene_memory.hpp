@@ -9,12 +9,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <type_traits>
 
 namespace arcspan {
 
 namespace detail {
+
+/// The largest of some sizes.
+[[nodiscard]] consteval std::size_t largest_of(std::initializer_list<std::size_t> sizes) {
+  std::size_t most = 0;
+  for (const std::size_t size : sizes) most = size > most ? size : most;
+  return most;
+}
 
 template <class List>
 struct MethodsInMemory;
@@ -26,24 +34,15 @@ struct MethodsInMemory<MethodList<Methods...>> {
   using UseList = MethodList<typename UseOf<Methods>::Type...>;
 
   static constexpr const UseFacts* kFacts[] = {&kUseFacts<typename UseOf<Methods>::Type>...};
-  static constexpr std::size_t kVertexBytes = [] {
-    std::size_t most = 0;
-    for (const UseFacts* const facts : kFacts) {
-      if (facts->vertex_bytes > most) most = facts->vertex_bytes;
-    }
-    return most;
-  }();
+  static constexpr std::size_t kVertexBytes =
+      largest_of({kUseFacts<typename UseOf<Methods>::Type>.vertex_bytes...});
   /// The bytes of the vertices of so many objects, each of which begins at a multiple of kVertexAlignment.
   template <class Count>
   [[nodiscard]] static constexpr Count vertex_memory(Count objects, Count vertices) {
     return static_cast<Count>(kVertexBytes * vertices + (kVertexAlignment - 1) * objects);
   }
-  static constexpr std::size_t kLightingBytes = [] {
-    std::size_t most = 1;
-    for (const std::size_t bytes : {sizeof(typename UseOf<Methods>::Type::Method::Lighting)...})
-      most = bytes > most ? bytes : most;
-    return most;
-  }();
+  static constexpr std::size_t kLightingBytes =
+      largest_of({sizeof(typename UseOf<Methods>::Type::Method::Lighting)...});
 };
 
 }  // namespace detail

@@ -10,15 +10,9 @@ namespace {
 
 using detail::DrawnVertex;
 
-/// The middle of a curve, in object space before it is rounded to 16 bits.
-struct CurveMiddle {
-  std::int32_t x;
-  std::int32_t y;
-  std::int32_t z;
-};
-
+/// The middle of a curve, which may not fit 16 bits:
 /// (a + b) / 2 - (w_ab n_a + w_ba n_b) / 8 with w_ab = (b - a) . n_a and w_ba = (a - b) . n_b.
-[[nodiscard]] CurveMiddle middle_of(const DrawnVertex& a, const DrawnVertex& b) {
+[[nodiscard]] ObjectPoint middle_of(const DrawnVertex& a, const DrawnVertex& b) {
   const auto along = [&](const Direction& n) {  // 15 fraction bits, at most 2^34
     return std::int64_t{b.position.x - a.position.x} * n.x.raw() +
            std::int64_t{b.position.y - a.position.y} * n.y.raw() +
@@ -77,7 +71,7 @@ class CurveFinder {
     const DrawnVertex a = vertices_[from];
     const DrawnVertex b = vertices_[to];
     if (dot(a.normal, b.normal) < Cosine::of(0.3)) return false;
-    const CurveMiddle m = middle_of(a, b);
+    const ObjectPoint m = middle_of(a, b);
     const auto narrow = [](std::int32_t v) { return static_cast<std::int16_t>(v); };
     const ObjectPosition position{narrow(m.x), narrow(m.y), narrow(m.z)};
     if (position.x != m.x || position.y != m.y || position.z != m.z) return refuse(Status::kScaleOutOfRange);

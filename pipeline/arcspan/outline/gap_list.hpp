@@ -22,7 +22,6 @@ class GapList {
  public:
   using Format = typename Sink::Format;
   using Gap = OutlineGap<Format>;
-  using Held = typename Gap::Held;
 
   GapList(Sink& sink, const DepthBuffer& depth, std::span<Gap> memory)
       : blender_(sink),
@@ -59,7 +58,7 @@ class GapList {
     Gap& gap = gaps_[count_];
     gap.x = static_cast<std::int16_t>(pixel);
     gap.y = static_cast<std::int16_t>(pixel >> 16);
-    gap.held = Held(typename Gap::InList{outer.depth, static_cast<std::uint16_t>(outer.number)});
+    gap.held = {.list = {outer.depth, static_cast<std::uint16_t>(outer.number)}};
     gap.outline = outline.word();
     *at = static_cast<std::uint16_t>(count_++);
   }
@@ -111,7 +110,7 @@ class GapList {
     const GapPlace place = GapOutline::place_of(gap.outline);
     depth_.row(y)[x] = gap.held.list.depth;
     const auto outer = blender_.outer(x, y);
-    gap.held = Held(GapColours<Format>{outer.read(), blender_.inner(outer, x, y, place).read()});
+    gap.held = {.colours = {outer.read(), blender_.inner(outer, x, y, place).read()}};
   }
 
   const GapBlender<Sink> blender_;

@@ -49,12 +49,8 @@ struct OutlineGap {
   /// @cond for smooth_outlines(), not in the reference
   /// First what the list needs, then what blending needs.
   union Held {
-    InList list;
+    InList list{};
     detail::GapColours<F> colours;
-
-    constexpr Held() : list{} {}
-    constexpr explicit Held(const InList& l) : list(l) {}
-    constexpr explicit Held(const detail::GapColours<F>& c) : colours(c) {}
   };
   /// @endcond
 

@@ -140,16 +140,6 @@ struct StoredChannel {
   std::uint16_t zero;
 };
 
-namespace detail {
-
-/// Bytes of a chunk as records, whose alignment has been checked.
-template <class T>
-[[nodiscard]] const T* records_at(const std::uint8_t* at) {
-  return static_cast<const T*>(static_cast<const void*>(at));
-}
-
-}  // namespace detail
-
 static_assert(sizeof(StoredTranslation) == 12 && sizeof(StoredRotation) == 8 && sizeof(StoredScale) == 12);
 static_assert(sizeof(StoredNode) == 36 && alignof(StoredNode) <= chunk_list::kAlignment);
 static_assert(sizeof(StoredJoint) == 52 && alignof(StoredJoint) <= chunk_list::kAlignment);

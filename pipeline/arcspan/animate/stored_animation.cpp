@@ -10,7 +10,7 @@ namespace {
 template <class T>
 std::span<const T> counted(std::span<const std::uint8_t> chunk) {
   if (chunk.data() == nullptr) return {};
-  return {detail::records_at<T>(chunk.data() + animation_binary::kCountBytes), little_u16(chunk.data())};
+  return {detail::elements_at<T>(chunk.data() + animation_binary::kCountBytes), little_u16(chunk.data())};
 }
 
 bool are_equal(const char* a, const char* b) {
@@ -27,10 +27,10 @@ StoredWeights::StoredWeights(const std::uint8_t* chunk)
       skin_(little_u16(chunk + animation_binary::kSkinAt)) {
   if (vertices_ == 0) {
     records_ =
-        detail::records_at<std::uint16_t>(chunk + animation_binary::kJointAt);  // a record of one joint
+        detail::elements_at<std::uint16_t>(chunk + animation_binary::kJointAt);  // a record of one joint
     return;
   }
-  first_ = detail::records_at<std::uint16_t>(chunk + animation_binary::kFirstAt);
+  first_ = detail::elements_at<std::uint16_t>(chunk + animation_binary::kFirstAt);
   records_ = first_ + vertices_;
 }
 
@@ -54,11 +54,11 @@ VertexJoints StoredWeights::vertex(std::size_t i) const {
 StoredMorph::StoredMorph(const std::uint8_t* chunk) {
   const std::size_t targets = little_u16(chunk + animation_binary::kTargetsAt);
   vertices_ = static_cast<std::size_t>(little_u32(chunk + animation_binary::kMorphVerticesAt));
-  weights_ = {detail::records_at<std::int16_t>(chunk + animation_binary::kMorphWeightsAt), targets};
+  weights_ = {detail::elements_at<std::int16_t>(chunk + animation_binary::kMorphWeightsAt), targets};
   const std::size_t first = animation_binary::kMorphWeightsAt + 2 * targets;
   const std::size_t end = first + 2 * (vertices_ + 1);
-  first_ = detail::records_at<std::uint16_t>(chunk + first);
-  records_ = detail::records_at<MorphRecord>(chunk + (end + 3) / 4 * 4);
+  first_ = detail::elements_at<std::uint16_t>(chunk + first);
+  records_ = detail::elements_at<MorphRecord>(chunk + (end + 3) / 4 * 4);
   stride_ = (little_u16(chunk + animation_binary::kFlagsAt) & animation_binary::kMorphedNormals) != 0 ? 2 : 1;
 }
 
@@ -69,7 +69,7 @@ const std::int16_t* StoredMorph::normal(std::size_t i) const {
 const char* StoredAnimation::node_name(std::size_t i) const {
   const std::span<const std::uint8_t> names = chunks_.find(animation_binary::kNamesTag);
   return names.data() == nullptr ? ""
-                                 : detail::records_at<char>(names.data() + i * animation_binary::kNameBytes);
+                                 : detail::elements_at<char>(names.data() + i * animation_binary::kNameBytes);
 }
 
 std::size_t StoredAnimation::find_node(const char* name) const {

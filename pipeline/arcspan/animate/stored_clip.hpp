@@ -24,23 +24,23 @@ class StoredClip {
   }
   /// Within the binary.
   [[nodiscard]] const char* name() const {
-    return chunk_ == nullptr ? "" : detail::records_at<char>(chunk_ + animation_binary::kNameAt);
+    return chunk_ == nullptr ? "" : detail::elements_at<char>(chunk_ + animation_binary::kNameAt);
   }
   /// In the order of their targets and paths.
   [[nodiscard]] std::span<const StoredChannel> channels() const {
     if (chunk_ == nullptr) return {};
-    return {detail::records_at<StoredChannel>(chunk_ + animation_binary::kClipBytes),
+    return {detail::elements_at<StoredChannel>(chunk_ + animation_binary::kClipBytes),
             little_u16(chunk_ + animation_binary::kChannelsAt)};
   }
   /// The times of the keys of a channel, microseconds, which increase; `channel.keys` of them.
   [[nodiscard]] const std::uint32_t* times(const StoredChannel& channel) const {
-    return detail::records_at<std::uint32_t>(chunk_ + static_cast<std::size_t>(channel.times));
+    return detail::elements_at<std::uint32_t>(chunk_ + static_cast<std::size_t>(channel.times));
   }
   /// The values of a channel: of type StoredTranslation, StoredRotation, StoredScale, or std::int16_t for
   /// morph weights. A cubic channel has three for each key.
   template <class Value>
   [[nodiscard]] const Value* values(const StoredChannel& channel) const {
-    return detail::records_at<Value>(chunk_ + static_cast<std::size_t>(channel.values));
+    return detail::elements_at<Value>(chunk_ + static_cast<std::size_t>(channel.values));
   }
 
  private:

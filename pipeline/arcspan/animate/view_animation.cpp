@@ -46,7 +46,7 @@ bool has_records(Bytes chunk, std::size_t bytes, std::size_t most) {
 
 Status check_nodes(Bytes chunk) {
   if (!has_records(chunk, sizeof(StoredNode), binary::kMostNodes)) return Status::kCorrupted;
-  const auto* const nodes = detail::records_at<StoredNode>(chunk.data() + binary::kCountBytes);
+  const auto* const nodes = detail::elements_at<StoredNode>(chunk.data() + binary::kCountBytes);
   const std::size_t count = little_u16(chunk.data());
   for (std::size_t i = 0; i < count; ++i) {
     const StoredNode& node = nodes[i];
@@ -69,7 +69,7 @@ Status check_names(Bytes chunk, std::size_t nodes) {
 
 Status check_skin(Bytes chunk, std::size_t nodes) {
   if (nodes == 0 || !has_records(chunk, sizeof(StoredJoint), binary::kMostJoints)) return Status::kCorrupted;
-  const auto* const joints = detail::records_at<StoredJoint>(chunk.data() + binary::kCountBytes);
+  const auto* const joints = detail::elements_at<StoredJoint>(chunk.data() + binary::kCountBytes);
   for (std::size_t i = 0; i < little_u16(chunk.data()); ++i) {
     if (joints[i].node >= nodes) return Status::kIndexOutOfRange;
     if (joints[i].zero != 0) return Status::kCorrupted;
@@ -112,7 +112,7 @@ Status check_weights(Bytes chunk, std::size_t part_vertices, std::span<const Sto
       std::uint64_t{chunk.size()} != binary::kFirstAt + 2 * (std::uint64_t{vertices} + words))
     return Status::kCorrupted;
   if (vertices == 0 && joint >= skin.size()) return Status::kIndexOutOfRange;
-  const auto* const first = detail::records_at<std::uint16_t>(at + binary::kFirstAt);
+  const auto* const first = detail::elements_at<std::uint16_t>(at + binary::kFirstAt);
   for (std::size_t i = 0; i < static_cast<std::size_t>(vertices); ++i) {
     if (first[i] >= words) return Status::kCorrupted;
     const Status status =
@@ -160,7 +160,7 @@ Status check_morph(Bytes chunk, std::size_t part_vertices) {
 
 Status check_bounds(Bytes chunk, std::size_t joints) {
   if (joints == 0 || !has_records(chunk, sizeof(JointBound), binary::kMostJoints)) return Status::kCorrupted;
-  const auto* const bounds = detail::records_at<JointBound>(chunk.data() + binary::kCountBytes);
+  const auto* const bounds = detail::elements_at<JointBound>(chunk.data() + binary::kCountBytes);
   for (std::size_t i = 0; i < little_u16(chunk.data()); ++i) {
     if (bounds[i].joint >= joints) return Status::kIndexOutOfRange;
     if (bounds[i].zero != 0 || (i != 0 && bounds[i].joint <= bounds[i - 1].joint)) return Status::kCorrupted;
@@ -350,7 +350,7 @@ Status view_animation(const StoredModel& model, StoredAnimation& animation) {
   if (nodes.data() != nullptr) {
     const Status status = check_nodes(nodes);
     if (!ok(status)) return status;
-    found.nodes_ = {detail::records_at<StoredNode>(nodes.data() + binary::kCountBytes),
+    found.nodes_ = {detail::elements_at<StoredNode>(nodes.data() + binary::kCountBytes),
                     little_u16(nodes.data())};
   }
   const AnimationCheck check(model, found, found.nodes_.size());

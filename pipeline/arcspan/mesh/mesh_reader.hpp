@@ -96,35 +96,32 @@ struct MeshArrays {
   [[nodiscard]] Status check_attached(MeshView& view) const;
 };
 
-// Pointers are cast by way of void, because alignment has been checked. Sizes fit std::size_t, because the
-// whole binary is in memory.
+// Sizes fit std::size_t, because the whole binary is in memory.
 ARCSPAN_INLINE inline MeshArrays::MeshArrays(const MeshHeader& header, const std::uint8_t* binary)
     : vertices(static_cast<std::size_t>(header.vertices)),
       triangles(static_cast<std::size_t>(header.triangles)) {
   const std::uint8_t* const first_normal = binary + mesh_binary::kHeaderBytes + 6 * vertices;
   const std::uint8_t* const first_index = first_normal + 4 * vertices;
-  positions =
-      static_cast<const ObjectPosition*>(static_cast<const void*>(binary + mesh_binary::kHeaderBytes));
-  normals = static_cast<const PackedNormal*>(static_cast<const void*>(first_normal));
+  positions = elements_at<ObjectPosition>(binary + mesh_binary::kHeaderBytes);
+  normals = elements_at<PackedNormal>(first_normal);
   const std::size_t index_bytes = (header.indices8 ? 3 : 6) * triangles;
   if (header.indices8) {
     indices8 = first_index;
   } else {
-    indices16 = static_cast<const std::uint16_t*>(static_cast<const void*>(first_index));
+    indices16 = elements_at<std::uint16_t>(first_index);
   }
   const std::uint8_t* at = first_index + index_bytes + ((0 - (10 * vertices + index_bytes)) & 3u);
   if (header.planes) {
     plane_scale = at;
-    planes = static_cast<const FacePlane*>(static_cast<const void*>(at + mesh_binary::kScaleBytes));
+    planes = elements_at<FacePlane>(at + mesh_binary::kScaleBytes);
     at += mesh_binary::kScaleBytes + sizeof(FacePlane) * triangles;
   }
   if (header.texture_points) {
     texture_scale = at;
-    texture_points =
-        static_cast<const TexturePoint*>(static_cast<const void*>(at + mesh_binary::kTextureScaleBytes));
+    texture_points = elements_at<TexturePoint>(at + mesh_binary::kTextureScaleBytes);
     at += mesh_binary::kTextureScaleBytes + sizeof(TexturePoint) * vertices;
   }
-  if (header.colours) colours = static_cast<const Rgb8*>(static_cast<const void*>(at));
+  if (header.colours) colours = elements_at<Rgb8>(at);
 }
 
 ARCSPAN_INLINE inline MeshView MeshArrays::checked_view() const {

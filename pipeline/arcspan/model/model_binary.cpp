@@ -73,7 +73,6 @@ ModelPart StoredModel::part(std::size_t i) const {
   const std::uint8_t* const record = parts_ + i * model_binary::kPartBytes;
   const std::uint16_t flags = little_u16(record + model_binary::kFlagsAt);
   const std::uint16_t texture = little_u16(record + model_binary::kTextureAt);
-  const void* const name = record + model_binary::kNameAt;  // signedness of characters does not matter
   ModelPart part;
   part.mesh =
       detail::mesh_of_chunk(chunks_.find(model_binary::kMeshTag, static_cast<std::uint32_t>(i)).data());
@@ -81,7 +80,7 @@ ModelPart StoredModel::part(std::size_t i) const {
       channels_at(record + model_binary::kAmbientAt), channels_at(record + model_binary::kDiffuseAt),
       channels_at(record + model_binary::kSpecularAt), little_u16(record + model_binary::kShininessAt)};
   part.two_sided = (flags & model_binary::kTwoSided) != 0;
-  part.name = static_cast<const char*>(name);
+  part.name = detail::elements_at<char>(record + model_binary::kNameAt);
   if (texture != model_binary::kNoTexture)
     part.texture = detail::texture_of_chunk(chunks_.find(model_binary::kTextureTag, texture).data());
   if ((flags & model_binary::kMasked) != 0) part.alpha = PartAlpha::kMasked;

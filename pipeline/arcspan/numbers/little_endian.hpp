@@ -16,4 +16,15 @@ namespace arcspan {
   return little_u16(at) | (std::uint32_t{little_u16(at + 2)} << 16);
 }
 
+namespace detail {
+
+/// The elements at an address, whose alignment has been checked. They are read in place, on little-endian
+/// machines only.
+template <class T>
+[[nodiscard]] ARCSPAN_INLINE inline const T* elements_at(const std::uint8_t* at) {
+  return static_cast<const T*>(static_cast<const void*>(at));
+}
+
+}  // namespace detail
+
 }  // namespace arcspan

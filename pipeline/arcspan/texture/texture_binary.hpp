@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/little_endian.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/texture/texel_formats.hpp>
 #include <arcspan/texture/texture.hpp>
@@ -107,11 +108,9 @@ template <TexelFormat Texels>
 [[nodiscard]] Status view_texture(const StoredTexture& stored, Texture<Texels>& texture) {
   using Word = typename Texels::Word;
   if (!has_format<Texels>(stored)) return Status::kUnsupported;
-  // Cast by way of void, because alignment has been checked.
-  const void* const words = stored.texels.data();
-  const Status status =
-      Texture<Texels>::make(std::span(static_cast<const Word*>(words), stored.texels.size() / sizeof(Word)),
-                            stored.size, texture, stored.palette);
+  const Word* const words = detail::elements_at<Word>(stored.texels.data());
+  const Status status = Texture<Texels>::make(std::span(words, stored.texels.size() / sizeof(Word)),
+                                              stored.size, texture, stored.palette);
   if (ok(status)) texture = texture.with(stored.sampler);
   return status;
 }

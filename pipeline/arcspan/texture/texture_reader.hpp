@@ -60,9 +60,7 @@ namespace arcspan::detail {
 /// Adds the arrays of a binary whose header has been read.
 inline void find_texture_arrays(const std::uint8_t* binary, StoredTexture& texture) {
   const auto colours = static_cast<std::size_t>(texture_binary::palette_size(texture.layout));
-  // Cast by way of void, because alignment has been checked.
-  const void* const palette = binary + texture_binary::kHeaderBytes;
-  texture.palette = {static_cast<const std::uint16_t*>(palette), colours};
+  texture.palette = {elements_at<std::uint16_t>(binary + texture_binary::kHeaderBytes), colours};
   texture.texels = {binary + texture_binary::kHeaderBytes + 2 * colours,
                     static_cast<std::size_t>(texture_binary::texel_bytes(texture.layout, texture.size))};
 }

@@ -3,11 +3,11 @@
 
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/lighting/illumination_bounds.hpp>
+#include <arcspan/literature/colour_segment.hpp>
 #include <arcspan/literature/linear_normal.hpp>
 #include <arcspan/literature/patch.hpp>
 #include <arcspan/literature/segment_path.hpp>
 #include <arcspan/literature/wide_rows.hpp>
-#include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/format_bases.hpp>
 #include <arcspan/target.hpp>
 
@@ -22,12 +21,8 @@ struct Rgb565 : WordPixels<std::uint16_t> {
   [[nodiscard]] ARCSPAN_INLINE static constexpr Encoded encode(PackedRgb c) {
     return static_cast<Encoded>(((c.lanes >> 5) & ~0x07E0u) | ((c.lanes >> 26) << 5));
   }
-  /// encode(c.packed()), directly from the words.
-  [[nodiscard]] static constexpr Encoded encode(ColourSegment c) {
-    const std::uint32_t levels = c.red_blue & 0x7C007C00u;  // one shift per channel; the other one falls out
-    return static_cast<Encoded>((levels >> 15) | (levels >> 10) | ((c.green >> 25) << 5));
-  }
-  /// encode(c.packed()), directly from the words, of a colour that knows how (FineRgb, LitTexel).
+  /// encode(c.packed()), directly from the words, of a colour that knows how (FineRgb, LitTexel,
+  /// ColourSegment).
   template <class C>
   requires requires(const C& c) {
     { c.rgb565() } -> std::same_as<std::uint16_t>;

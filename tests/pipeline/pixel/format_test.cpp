@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/literature/colour_segment.hpp>
 #include <arcspan/pixel/pixel_format_list.hpp>
 #include <arcspan/pixel/pixel_operation.hpp>
 #include <arcspan/span/draw_operated.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Colours that are interpolated along segments of rows.
+#include <arcspan/literature/colour_segment.hpp>
 #include <arcspan/literature/phong_segment.hpp>
 #include <arcspan/literature/segment.hpp>
-#include <arcspan/pixel/colour_segment.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/shading/surface/arc.hpp>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/pixel/colour.hpp>
+#include <arcspan/target.hpp>
 
 #include <cstdint>
 
@@ -35,6 +36,11 @@ struct ColourSegment {
   [[nodiscard]] constexpr PackedRgb packed() const {
     return {((green << 1) & 0xFFC00000u) | ((red_blue >> 10) & 0x001FF800u) |
             ((red_blue >> kFraction) & 0x3FFu)};
+  }
+  /// The colour as an Rgb565 pixel.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
+    const std::uint32_t levels = red_blue & 0x7C007C00u;  // one shift per channel; the other one falls out
+    return static_cast<std::uint16_t>((levels >> 15) | (levels >> 10) | ((green >> 25) << 5));
   }
 };
 

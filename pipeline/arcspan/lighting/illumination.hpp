@@ -5,7 +5,6 @@
 #include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/check_light.hpp>
 #include <arcspan/lighting/directional_light.hpp>
-#include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/lighting/highlight_fade.hpp>
 #include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
@@ -28,6 +27,8 @@
 #include <utility>
 
 namespace arcspan {
+
+struct HighlightBound;  // forward: literature/highlights_over.hpp
 
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <arcspan/lighting/arc_bound.hpp>
-#include <arcspan/lighting/highlight_bound.hpp>
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/target.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -42,8 +42,19 @@ inline constexpr std::uint32_t kExactEnough = 6;
 inline constexpr std::uint32_t kWidestExact = 25690112u;
 /// The error of a highlight at widest_patch(), 1.4 8-bit steps.
 inline constexpr std::uint32_t kHighlightError = 45;
+/// Entry i is (16 / (i + 1))^(2/3) with 4 fraction bits, rounded down. Not a variable of the function,
+/// because gcc would copy it to the stack.
+inline constexpr std::array<std::uint8_t, 16> kWiderAtSlope{101, 64, 48, 40, 34, 30, 27, 25,
+                                                            23,  21, 20, 19, 18, 17, 16, 16};
 
 }  // namespace detail
+
+/// Returns the squared chord (28 fraction bits, as `limit`) at which a surface under highlights of this slope
+/// (0...15) has the error that it has at `limit` under the brightest: `limit` times 1...6.3. The error of a
+/// highlight is that of its cosine, which grows with the cube of the angle, times the slope.
+[[nodiscard]] constexpr std::uint32_t limit_at_slope(std::uint32_t limit, std::uint8_t slope) {
+  return (limit >> 4) * detail::kWiderAtSlope[slope];
+}
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr Status Illumination<Lights, Model, Features>::set_tolerance(std::int32_t steps) {

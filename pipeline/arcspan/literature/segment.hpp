@@ -2,8 +2,8 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
-#include <arcspan/lighting/illumination_bounds.hpp>
 #include <arcspan/literature/colour_segment.hpp>
+#include <arcspan/literature/highlights_over.hpp>
 #include <arcspan/literature/linear_normal.hpp>
 #include <arcspan/literature/patch.hpp>
 #include <arcspan/literature/segment_path.hpp>

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <arcspan/lighting/arc_bound.hpp>
-#include <arcspan/lighting/highlight_bound.hpp>
+#include <arcspan/lighting/surface_light.hpp>
 #include <arcspan/literature/arc_shape.hpp>
+#include <arcspan/literature/highlights_over.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/surface/chords.hpp>
 #include <arcspan/target.hpp>

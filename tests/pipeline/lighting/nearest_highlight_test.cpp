@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lower bounds of a highlight's distance over a triangle.
-#include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/literature/highlights_over.hpp>
 #include <arcspan/shading/surface/chords.hpp>
 
 #include <catch2/catch.hpp>

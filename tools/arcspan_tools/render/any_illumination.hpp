@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/literature/highlights_over.hpp>
 
 #include <arcspan_tools/render/render.hpp>
 

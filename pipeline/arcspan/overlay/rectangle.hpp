@@ -17,13 +17,7 @@ namespace detail {
 template <PixelSink Sink>
 [[nodiscard]] constexpr Status fill_within(Sink& sink, const Rect& rect,
                                            typename Sink::Format::Encoded encoded) {
-  if (rect.empty()) return Status::kOk;
-  for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
-    const Span run{y, rect.left, rect.width()};
-    fill_pixels(sink.open(run), run.count, encoded);
-    if (const Status status = sink.close(run); !ok(status)) return status;
-  }
-  return Status::kOk;
+  return rect.empty() ? Status::kOk : arcspan::detail::fill_rows(sink, rect, encoded);
 }
 
 }  // namespace detail

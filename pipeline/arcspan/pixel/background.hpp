@@ -32,15 +32,6 @@ struct BackgroundPicture {
 
 namespace detail {
 
-/// Calls draw(cursor, run) for a row of the sink, which is not empty.
-template <PixelSink Sink, class Draw>
-[[nodiscard]] constexpr Status draw_row(Sink& sink, std::int32_t y, const Draw& draw) {
-  const Rect bounds = sink.bounds();
-  const Span run{y, bounds.left, bounds.width()};
-  draw(sink.open(run), run);
-  return sink.close(run);
-}
-
 /// The level of a channel in row y of a gradient, 0...1023 as PackedRgb has it. `step` is the change per row
 /// with 16 fraction bits.
 [[nodiscard]] constexpr std::uint32_t gradient_level(std::uint8_t top, std::int32_t step, std::int32_t y) {
@@ -56,13 +47,7 @@ template <PixelSink Sink>
 [[nodiscard]] constexpr Status draw_background(Sink& sink, Rgb8 colour) {
   const Rect bounds = sink.bounds();
   if (const Status status = detail::status_of(sink); !ok(status) || bounds.empty()) return status;
-  const auto encoded = Sink::Format::encode(colour);
-  for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
-    const Status status = detail::draw_row(
-        sink, y, [encoded](auto cursor, const Span& run) { fill_pixels(cursor, run.count, encoded); });
-    if (!ok(status)) return status;
-  }
-  return Status::kOk;
+  return detail::fill_rows(sink, bounds, Sink::Format::encode(colour));
 }
 
 /// Draws the rows of the gradient that the sink takes; rows beyond it have its nearest colour. Returns
@@ -81,22 +66,18 @@ template <PixelSink Sink>
   const std::int32_t b = step(gradient.top.b, gradient.bottom.b);
   const Rect bounds = sink.bounds();
   if (const Status status = detail::status_of(sink); !ok(status) || bounds.empty()) return status;
-  for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
-    const std::int32_t row = y < 0 ? 0 : y < last ? y : last;
+  return detail::draw_rows(sink, bounds, [&](auto cursor, const Span& run) {
+    const std::int32_t row = run.y < 0 ? 0 : run.y < last ? run.y : last;
     const PackedRgb colour = PackedRgb::of(detail::gradient_level(gradient.top.r, r, row),
                                            detail::gradient_level(gradient.top.g, g, row),
                                            detail::gradient_level(gradient.top.b, b, row));
-    const Status status = detail::draw_row(sink, y, [&](auto cursor, const Span& run) {
-      if constexpr (Format::kDithers) {
-        for (std::int32_t i = 0; i < run.count; ++i, cursor.next())
-          cursor.write(encode_at<Format>(colour, run.x + i, y));
-      } else {
-        fill_pixels(cursor, run.count, encode_at<Format>(colour, run.x, y));
-      }
-    });
-    if (!ok(status)) return status;
-  }
-  return Status::kOk;
+    if constexpr (Format::kDithers) {
+      for (std::int32_t i = 0; i < run.count; ++i, cursor.next())
+        cursor.write(encode_at<Format>(colour, run.x + i, run.y));
+    } else {
+      fill_pixels(cursor, run.count, encode_at<Format>(colour, run.x, run.y));
+    }
+  });
 }
 
 /// Draws the part of the picture that the sink takes, pixel for pixel. Returns kInvalidArgument and draws
@@ -116,15 +97,11 @@ template <PixelSink Sink>
   const std::size_t per_row = Format::words_per_row(picture.width);
   if (picture.words.size() / per_row < static_cast<std::size_t>(picture.height))
     return Status::kBufferTooSmall;
-  for (std::int32_t y = bounds.top; y < bounds.bottom; ++y) {
+  return detail::draw_rows(sink, bounds, [&](auto cursor, const Span& run) {
     // A cursor takes memory that can be written, but reading changes nothing.
-    auto* row = const_cast<Word*>(picture.words.data()) + static_cast<std::size_t>(y) * per_row;
-    const Status status = detail::draw_row(sink, y, [&](auto cursor, const Span& run) {
-      copy_pixels(typename Format::Cursor(row, run.x), run.count, cursor);
-    });
-    if (!ok(status)) return status;
-  }
-  return Status::kOk;
+    auto* row = const_cast<Word*>(picture.words.data()) + static_cast<std::size_t>(run.y) * per_row;
+    copy_pixels(typename Format::Cursor(row, run.x), run.count, cursor);
+  });
 }
 
 }  // namespace arcspan

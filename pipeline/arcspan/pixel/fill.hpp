@@ -2,6 +2,8 @@
 #pragma once
 
 #include <arcspan/numbers/unroll.hpp>
+#include <arcspan/pixel/sink.hpp>
+#include <arcspan/status.hpp>
 #include <arcspan/target.hpp>
 
 #include <cstddef>
@@ -90,5 +92,28 @@ constexpr void copy_pixels(Cursor from, std::int32_t count, Cursor to) {
     for (; count > 0; --count, from.next(), to.next()) to.write(from.read());
   }
 }
+
+namespace detail {
+
+/// Calls draw(cursor, run) for each row of a rectangle that lies within the sink's bounds() and is not empty.
+template <PixelSink Sink, class Draw>
+[[nodiscard]] constexpr Status draw_rows(Sink& sink, const Rect& rect, const Draw& draw) {
+  for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
+    const Span run{y, rect.left, rect.width()};
+    draw(sink.open(run), run);
+    if (const Status status = sink.close(run); !ok(status)) return status;
+  }
+  return Status::kOk;
+}
+
+/// Fills such a rectangle.
+template <PixelSink Sink>
+[[nodiscard]] constexpr Status fill_rows(Sink& sink, const Rect& rect,
+                                         typename Sink::Format::Encoded encoded) {
+  return draw_rows(sink, rect,
+                   [encoded](auto cursor, const Span& run) { fill_pixels(cursor, run.count, encoded); });
+}
+
+}  // namespace detail
 
 }  // namespace arcspan

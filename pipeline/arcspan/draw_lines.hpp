@@ -129,10 +129,8 @@ template <OneColour Method = Unlit, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] Status draw_screen_line(const RasterPosition& a, const RasterPosition& b,
                                       const Viewport& viewport, const typename Method::Lighting& colour,
                                       Sink& sink, const Depth& depth, DepthBias bias = {0}) {
-  const auto fits = [](std::int32_t size) { return size >= 1 && size <= 2 * kGuardBand; };
-  if (!fits(viewport.width) || !fits(viewport.height) || !in_guard_band(a) || !in_guard_band(b)) {
+  if (!detail::is_picture_size(viewport) || !in_guard_band(a) || !in_guard_band(b))
     return Status::kInvalidArgument;
-  }
   detail::LineStage<Method, Sink, Depth> stage(viewport, colour, sink, depth, bias);
   if (stage.ready()) stage.draw(a, b);
   return stage.status();

@@ -193,6 +193,7 @@ constexpr Status Camera::look_at(const LookAt& view) {
 
 constexpr Status Camera::set_lens(const Lens& lens, const Viewport& viewport) {
   if (lens.near_.raw() <= 0 || lens.far_ <= lens.near_) return Status::kNearNotBeforeFar;
+  if (!detail::is_picture_size(viewport)) return Status::kInvalidArgument;
   planes_apart_ = lens.far_.raw() - lens.near_.raw();
   if (lens.kind_ == Lens::Kind::kOrthographic) return set_parallel(lens, viewport);
   std::int64_t focal = lens.amount_;
@@ -200,8 +201,7 @@ constexpr Status Camera::set_lens(const Lens& lens, const Viewport& viewport) {
     // (height / 2) / tan(a / 2), tan(a / 2) = sin a / (1 + cos a).
     const Turn angle{static_cast<std::uint16_t>(lens.amount_)};
     const std::int32_t opposite = sine(angle).raw();
-    if (opposite <= 0 || viewport.height < 1 || viewport.height > 2 * kGuardBand)
-      return Status::kInvalidArgument;
+    if (opposite <= 0) return Status::kInvalidArgument;
     const std::int64_t adjacent = detail::kOne30 + cosine(angle).raw();
     focal = static_cast<std::int64_t>(
         static_cast<std::uint64_t>((std::int64_t{viewport.height} << (PixelLength::kFraction - 1)) *
@@ -219,9 +219,7 @@ constexpr Status Camera::set_lens(const Lens& lens, const Viewport& viewport) {
 }
 
 constexpr Status Camera::set_parallel(const Lens& lens, const Viewport& viewport) {
-  if (lens.amount_ <= 0 || viewport.height < 1 || viewport.height > 2 * kGuardBand) {
-    return Status::kInvalidArgument;
-  }
+  if (lens.amount_ <= 0) return Status::kInvalidArgument;
   const std::int64_t range = planes_apart_;
   static_assert(
       (65535 - 2 * ClipTransform::kDepthMargin) * std::int64_t{kParallel + 1} < (std::int32_t{1} << 28) - 1,

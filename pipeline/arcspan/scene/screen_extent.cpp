@@ -19,11 +19,11 @@ void include_fan(const Corner* corners, std::size_t count, bool together, const 
     const RasterPosition& q = corners[i - 1].position;
     const RasterPosition& r = corners[i].position;
     if (doubled_area(p, q, r) >= 0) continue;
-    if (!together && is_beside_picture(p, q, r, viewport)) continue;
     if (together) {
       for (std::size_t k = 0; k < count; ++k) extent = extended(extent, corners[k].position);
       return;
     }
+    if (is_beside_picture(p, q, r, viewport)) continue;
     extent = extended(extended(extended(extent, p), q), r);
   }
 }

@@ -71,10 +71,9 @@ struct Arc {
   /// vertices.
   template <class Frame>
   static constexpr void prepare(const Lighting& lighting, Frame& frame, const Face&, Prepared& prepared) {
-    prepare(lighting, frame,
-            choose_order(lighting, frame.top->shade, frame.middle->shade, frame.bottom->shade,
-                         is_bendable(frame)),
-            prepared);
+    const SurfaceChoice choice = choose_order(lighting, frame.top->shade, frame.middle->shade,
+                                              frame.bottom->shade, is_bendable(frame));
+    prepare(lighting, frame, choice, prepared);
   }
   /// Prepares the surface of a triangle of the order that was chosen.
   template <class Frame>

@@ -41,7 +41,7 @@ template <SceneMemoryType Memory>
   if constexpr (List::kPoses) {
     return detail::pick_posed_in(memory.frame(), List::kAll, x, y);
   } else {
-    return detail::pick_in(memory.frame(), List::kAll, memory.lighting(), x, y);
+    return detail::pick_in(memory.frame(), List::kAll, memory.scratch(), x, y);
   }
 }
 

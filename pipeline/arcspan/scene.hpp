@@ -139,10 +139,9 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
       const MeshView mesh = slot.object->mesh().part(part.first, part.count);
       rows.begin_part(part.first);
       const DrawResult drawn = draw_part<kVerticesIn<Memory>>(
-          typename Memory::UseList{},
-          PartCall<Sink, Depth, decltype(rows)>{slot, mesh, p, rows, *part.material, lights,
-                                                frame.header.camera->rotation(), sink, depth,
-                                                memory.lighting().data()});
+          typename Memory::UseList{}, PartCall<Sink, Depth, decltype(rows)>{
+                                          slot, mesh, p, rows, *part.material, lights,
+                                          frame.header.camera->rotation(), sink, depth, memory.lighting()});
       rows.next_part(part.count);
       result.status = drawn.status;
       result.triangles += drawn.triangles;

@@ -130,7 +130,7 @@ void draw_curves(Memory& memory, std::size_t place, const ObjectLights& lights, 
   const DrawResult drawn = draw_part<PartVertices::kOfCurves>(
       typename Memory::UseList{},
       PartCall<Sink, Depth, NoRows>{slot, mesh, 0, NoRows(), *slot.object->part(0).material, lights,
-                                    frame.header.camera->rotation(), sink, depth, memory.lighting().data()});
+                                    frame.header.camera->rotation(), sink, depth, memory.lighting()});
   result.status = drawn.status;
   result.triangles += drawn.triangles;
   result.left_out += drawn.left_out;

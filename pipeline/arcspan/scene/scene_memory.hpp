@@ -66,7 +66,8 @@ class SceneMemory {
   using KeptRows = std::conditional_t<Triangles != 0, detail::PartRows, detail::NoRows>;
   static constexpr bool kHasVertices = Vertices != 0;
   [[nodiscard]] static constexpr Status status() { return Status::kOk; }
-  [[nodiscard]] std::span<unsigned char> lighting() { return {lighting_, Listed::kLightingBytes}; }
+  [[nodiscard]] void* lighting() { return lighting_; }
+  [[nodiscard]] std::span<unsigned char> scratch() { return {lighting_, Listed::kLightingBytes}; }
   [[nodiscard]] detail::SceneFrame frame() {
     return {header_,        {static_cast<detail::SceneSlot*>(static_cast<void*>(slots_)), Objects},
             order_,         {vertices_, kVertexMemory},
@@ -127,8 +128,9 @@ class SceneMemoryView {
   using UseList = typename Listed::UseList;
   using KeptRows = detail::PartRows;
   static constexpr bool kHasVertices = true;
-  [[nodiscard]] std::span<unsigned char> lighting() {
-    return {static_cast<unsigned char*>(static_cast<void*>(first_)), Listed::kLightingBytes};
+  [[nodiscard]] void* lighting() { return first_; }
+  [[nodiscard]] std::span<unsigned char> scratch() {
+    return {static_cast<unsigned char*>(lighting()), Listed::kLightingBytes};
   }
   [[nodiscard]] detail::SceneFrame frame() {
     std::byte* const entries = first_ + kLighting;

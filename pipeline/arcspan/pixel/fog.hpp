@@ -69,7 +69,7 @@ class Fog {
         clamped_unsigned<16, 0>(end_ - static_cast<std::int32_t>(depth)) + kPerOctave;
     const unsigned octave = octave_of(biased);
     // The highest eight bits are 128...255.
-    const std::uint32_t entry = octave * kPerOctave + (biased << octave >> 8) - kPerOctave;
+    const std::uint32_t entry = octave * kPerOctave + (biased << octave >> 8);
     return shares_[static_cast<std::size_t>(entry)];
   }
   [[nodiscard]] constexpr PackedRgb colour() const { return colour_; }
@@ -80,7 +80,7 @@ class Fog {
   static constexpr std::int32_t kNearest = 256;  ///< depths of the planes: ClipTransform::kDepthMargin
   static constexpr std::int32_t kFarthest = 65535 - 256;
   static constexpr unsigned kPerOctave = 128;
-  static constexpr unsigned kOctaves = 9;  ///< of a difference plus 128: 128...65407
+  static constexpr unsigned kOctaves = 10;  ///< of a difference plus 128: 128...65407
   static constexpr int kShareBits = 14;
   static constexpr std::int64_t kFull = 1 << kShareBits;
 
@@ -123,7 +123,7 @@ class Fog {
 
   std::int32_t end_ = 0;  ///< no fog
   /// Shares in 255ths. With end_ - depth + 128 = m 2^k, m in 128...255, a depth has entry
-  /// 128 (8 - k) + m - 128.
+  /// 128 (9 - k) + m - 128.
   std::array<std::uint8_t, kPerOctave * kOctaves> shares_{};
   PackedRgb colour_{};
   std::uint32_t spread_ = 0;

@@ -127,7 +127,8 @@ TEST_CASE("a forecast of a textured model has grey Gouraud in place of Gouraud")
   const nlohmann::json sign = forecast_of(std::string(ARCSPAN_MODELS) + "/sign.obj");
   CHECK_FALSE(sign.at("instructions").contains("gouraud"));
   CHECK(figure(sign, "grey gouraud", "RV32IMC") > 0);
-  CHECK(figure(sign, "grey gouraud", "Cortex-M3") < figure(sign, "arc", "Cortex-M3"));
+  // Its light is linear: Arc steps the level, too.
+  CHECK(figure(sign, "grey gouraud", "Cortex-M3") == Approx(figure(sign, "arc", "Cortex-M3")).epsilon(.06));
 }
 
 TEST_CASE("options of the forecast without it are refused") {

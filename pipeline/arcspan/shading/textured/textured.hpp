@@ -211,6 +211,7 @@ template <class Method, TexelLight Colours>
 struct LightOnTexture {
   using Type = Method;
 };
+/// By Arc under grey light.
 template <class Illumination>
 requires(Illumination::kHasRamp) struct LightOnTexture<Arc<Illumination>, TexelLight::kGrey> {
   using Type = LevelArc<Illumination>;

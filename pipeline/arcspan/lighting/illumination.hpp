@@ -192,7 +192,7 @@ class Illumination : private FadeFor<Features>,
     return ramp_[ramp_index(normal_light)];
   }
 
-  /// The green of diffuse_colour(), with a ramp() only.
+  /// The green channel of diffuse_colour() as a linear function; for illuminations that have a ramp().
   [[nodiscard]] constexpr LinearLevel linear_level() const;
   /// The colours of diffuse_colour(), evenly spaced over 0...1: 256 of one light, 512 of two, else 1024.
   [[nodiscard]] constexpr const auto& ramp() const requires kHasRamp { return ramp_; }

@@ -208,7 +208,7 @@ constexpr void Illumination<Lights, Model, Features>::make_ramp() {
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr LinearLevel Illumination<Lights, Model, Features>::linear_level() const {
-  // Of light in steps, at most 16, the first has one colour.
+  // Light in steps has at most 16, so that a sixteenth of its ramp or more has the colour of the first step.
   const bool is_gradual = diffuse_[1] == 0 || ramp_[kRampSize / 16 - 1].lanes != ramp_[0].lanes;
   return {static_cast<std::int32_t>(ambient_[1] >> 12),
           static_cast<std::int32_t>((diffuse_[1] * ramp_range()) >> 12), is_gradual};

@@ -20,9 +20,9 @@ inline constexpr std::uint8_t kDitherMatrix[8][8] = {
   return kDitherMatrix[static_cast<std::size_t>(y) & 7u][static_cast<std::size_t>(x) & 7u];
 }
 
-/// x or y by which a pixel is dithered that blends what was dithered before. By the same thresholds all
-/// pixels of one code would round alike: black over half the pixels of a mono picture would do nothing. With
-/// the lowest three bits rotated thresholds repeat less.
+/// The x or y for dithering a pixel that is blended over one that is dithered already. With the same
+/// thresholds all pixels of one code would round alike: black at half opacity over a mono grey would do
+/// nothing. Rotating the lowest three bits makes the two thresholds of most pixels differ.
 [[nodiscard]] constexpr std::int32_t dithered_again_at(std::int32_t at) {
   return ((at >> 1) & 3) | ((at & 1) << 2);
 }

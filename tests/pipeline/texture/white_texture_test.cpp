@@ -160,7 +160,7 @@ std::ptrdiff_t grey_differences(Coefficient ambient, Coefficient diffuse, std::i
       ok(Lit::make({grey(ambient), grey(diffuse), grey(specular), 24}, lights, normalised(0, 0, 1), lit)));
   REQUIRE(ok(lit.set_tolerance(4)));
   if (toon != 0) REQUIRE(ok(lit.set_toon(toon)));
-  // Of fine triangles, which are linear.
+  // The ball with the smallest triangles, because light is linear within most of them.
   const std::array<MeshView, 3> meshes = balls();
   const auto all = differences<Arc<Lit>, TexelLight::kGrey, Borders>(lit, std::span(meshes).first(1));
   const auto more = std::count_if(all.begin(), all.end(), [](int difference) { return difference > 5; });

@@ -189,6 +189,8 @@ TEST_CASE("the advice compares the main methods") {
         "arc, for highlights that move, takes 21 % more than Gouraud; Gouraud for matt surfaces; flat takes "
         "25 % less, for what is far away or has flat faces");
   CHECK(method_advice({1000, 1000, 1001, true}) ==
-        "arc takes as much as grey Gouraud: take arc; grey Gouraud for matt surfaces; flat takes as much as "
-        "grey Gouraud, which is not worth its facets");
+        "arc takes as much as grey Gouraud: take arc; flat takes as much as grey Gouraud, which is not worth "
+        "its facets");
+  CHECK(method_advice({950, 1000, 960, true}) ==
+        "arc takes 4 % less than grey Gouraud: take arc; flat takes 5 % less, which is not worth its facets");
 }

@@ -22,9 +22,12 @@ std::string method_advice(const MethodCosts& costs) {
   const char* const gouraud = costs.textured ? "grey Gouraud" : "Gouraud";
   const std::string arc = compared(costs.arc, costs.gouraud);
   const std::string flat = compared(costs.flat, costs.gouraud);
-  std::string text = formatted("arc, for highlights that move, takes %s than %s", arc.c_str(), gouraud);
-  if (arc == "as much") text = formatted("arc takes as much as %s: take arc", gouraud);
-  text += formatted("; %s for matt surfaces; flat takes ", gouraud);
+  const char* const word = arc == "as much" ? "as" : "than";
+  std::string text = arc.ends_with("more")
+                         ? formatted("arc, for highlights that move, takes %s than %s; %s for matt surfaces",
+                                     arc.c_str(), gouraud, gouraud)
+                         : formatted("arc takes %s %s %s: take arc", arc.c_str(), word, gouraud);
+  text += "; flat takes ";
   text += flat == "as much" ? flat + formatted(" as %s", gouraud) : flat;
   return text + (costs.flat < kWorthIt * costs.gouraud ? ", for what is far away or has flat faces"
                                                        : ", which is not worth its facets");

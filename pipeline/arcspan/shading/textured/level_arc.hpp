@@ -11,8 +11,8 @@
 namespace arcspan {
 
 /// `Arc` on textures under grey light. A triangle whose N·L is linear, and that no highlight reaches, is lit
-/// as by GreyGouraud, by the level of diffuse light at its vertices: texels are multiplied by that, and no
-/// pixel has to look it up. Small triangles are Arc's.
+/// as by GreyGouraud: texels are multiplied by the level of diffuse light, interpolated between the vertices,
+/// without a look-up per pixel. Small triangles are drawn as by Arc.
 template <class Illumination>
 struct LevelArc : Arc<Illumination> {
   using Surface = Arc<Illumination>;
@@ -58,13 +58,14 @@ struct LevelArc : Arc<Illumination> {
   }
 
  private:
-  /// Returns false if light ends within the triangle, is in steps, or becomes full within it.
+  /// Sets the levels at the vertices. Returns false if they do not describe the light: N·L is negative at a
+  /// vertex, the light is in toon steps, or only a part of the triangle has more than full light.
   template <class Lighting>
   [[nodiscard]] static constexpr bool set_levels(const Lighting& lighting, const SurfaceChoice& choice,
                                                  const Vertex& top, const Vertex& middle,
                                                  const Vertex& bottom, CornerLevels& levels) {
     constexpr std::int32_t kFullLevel = 65280;
-    constexpr std::int32_t kSlack = 256;  // of scalars that are lengthened, a step of 255
+    constexpr std::int32_t kSlack = 256;  // a step of 255: lift makes scalars a little larger
     const Cosine a = Surface::diffuse(lighting, choice, top);
     const Cosine b = Surface::diffuse(lighting, choice, middle);
     const Cosine c = Surface::diffuse(lighting, choice, bottom);

@@ -47,8 +47,8 @@ struct TextureTriangle : TextureLevel {
   std::uint8_t u_shift;    ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t v_shift;    ///< the same for v
   std::uint8_t piece;      ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
-  /// The steps by which a row of one pixel finds its mip level: one, beyond the triangle; none without levels
-  /// and in slivers, where slopes are not per pixel.
+  /// The steps by which a row of one pixel finds its mip level: 1, past the triangle's edge; 0 without mip
+  /// levels, and in slivers (SlopeUnit), whose slopes are not per pixel.
   std::uint8_t lone_step;
   bool middle_left;
   TextureSize size;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan_tools/mesh/file/collada_text.hpp>
 #include <arcspan_tools/mesh/file/file_mesh.hpp>
 #include <arcspan_tools/mesh/file/import.hpp>
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
@@ -387,46 +388,6 @@ class SceneDump {
   double ticks_ = 1;  ///< per second, in the current clip
 };
 
-/// The library takes no blank between a tag and its first number, which some exporters write.
-std::string without_blanks_before_numbers(std::string_view xml) {
-  std::string out;
-  out.reserve(xml.size());
-  for (std::size_t i = 0; i < xml.size(); ++i) {
-    out += xml[i];
-    if (xml[i] != '>') continue;
-    const std::size_t next = xml.find_first_not_of(" \t\r\n", i + 1);
-    if (next != std::string_view::npos && std::strchr("+-.0123456789", xml[next]) != nullptr &&
-        xml[next] != 0)
-      i = next - 1;
-  }
-  return out;
-}
-
-/// An attribute in the text of a tag; empty if there is none.
-std::string_view attribute(std::string_view tag, const std::string& name) {
-  for (std::size_t at = tag.find(name); at != std::string_view::npos; at = tag.find(name, at + 1)) {
-    if (at == 0 || std::strchr(" \t\r\n", tag[at - 1]) == nullptr) continue;
-    const std::string_view rest = tag.substr(at + name.size());
-    if (rest.size() < 2 || rest[0] != '=' || (rest[1] != '"' && rest[1] != '\'')) continue;
-    return rest.substr(2, rest.find(rest[1], 2) - 2);
-  }
-  return {};
-}
-
-/// Counts the joints of Collada that have the sid of an earlier one, as in the skeleton of a second
-/// character. The library looks for a mesh's joints in the whole scene, and takes the first of each sid.
-void count_shared_joints(std::string_view xml, LeftOutCounts& counts) {
-  if (xml.find("<instance_controller") == std::string_view::npos) return;
-  constexpr std::string_view kNode = "<node";
-  std::set<std::string_view> known;
-  for (std::size_t at = xml.find(kNode); at < xml.size(); at = xml.find(kNode, at + 1)) {
-    const std::string_view tag = xml.substr(at, xml.find_first_of("<>", at + 1) - at);
-    const std::string_view sid = attribute(tag, "sid");
-    if (sid.empty() || attribute(tag, "type") != "JOINT" || known.insert(sid).second) continue;
-    ++counts["joints with the sid of another, which meshes follow in their place"];
-  }
-}
-
 /// The library's complaint. Its exceptions of the standard library say nothing to a user.
 std::string complaint(const std::string& text) {
   if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
@@ -444,7 +405,8 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   LeftOutCounts lost;
   if (wanted == std::string_view("dae")) {
     bytes = text = without_blanks_before_numbers(bytes);
-    count_shared_joints(bytes, lost);
+    if (const std::size_t joints = count_shared_joints(bytes); joints != 0)
+      lost["joints with the sid of another, which meshes follow in their place"] = joints;
   }
   // Else the library draws a body around the nodes of a file that has no mesh.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);

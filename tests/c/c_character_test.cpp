@@ -16,6 +16,7 @@
 #include <tests/support/animated_rig.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -173,6 +174,9 @@ TEST_CASE("an object that is attached follows the node through the character's p
   const Object& body = *stage.scene->parts_of(object).data();
   const Object& held = *stage.scene->parts_of(stage.held).data();
   const std::int32_t places[3] = {held.position.x.raw(), held.position.y.raw(), held.position.z.raw()};
+  arcspan_point at;
+  REQUIRE(arcspan_node_position(stage.character, arm, &at) == ARCSPAN_OK);
+  CHECK(std::equal(places, places + 3, std::array{at.x, at.y, at.z}.begin()));
   const std::int32_t origin[3] = {kAt.x, kAt.y, kAt.z};
   for (std::size_t i = 0; i < 3; ++i) {
     double expected = origin[i];
@@ -290,6 +294,8 @@ TEST_CASE("a character that cannot be added changes nothing in a scene") {
   CHECK(arcspan_play(kept, ARCSPAN_NONE, 0, ARCSPAN_REPEAT) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(arcspan_play(kept, 0, 0, 2) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(arcspan_attach(kept, 14, stage.held) == ARCSPAN_INVALID_ARGUMENT);
+  arcspan_point nowhere;
+  CHECK(arcspan_node_position(kept, 14, &nowhere) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(arcspan_attach(kept, 0, 99) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(arcspan_attach(kept, 0, arcspan_object_of(kept)) == ARCSPAN_INVALID_ARGUMENT);
 }

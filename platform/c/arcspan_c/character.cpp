@@ -20,6 +20,23 @@ namespace {
   return WorldLength::from_raw(static_cast<std::int32_t>(most < INT32_MIN ? INT32_MIN : most));
 }
 
+/// The body of a character, whose parts are at one place.
+[[nodiscard]] const Object& body_of(const arcspan_character& character) {
+  return *character.scene.parts_of(character.object).data();
+}
+
+/// A node within the turned body.
+[[nodiscard]] Placement place_of(const arcspan_character& character, uint16_t node) {
+  return attached({body_of(character).rotation, {}}, character.nodes[node]);
+}
+
+[[nodiscard]] WorldPoint world_of(const arcspan_character& character, const Placement& place) {
+  const Object& body = body_of(character);
+  return {sum(body.position.x, place.translation[0], body.scale),
+          sum(body.position.y, place.translation[1], body.scale),
+          sum(body.position.z, place.translation[2], body.scale)};
+}
+
 }  // namespace
 
 std::span<JointMatrix> arcspan_character::joints_of(std::size_t skin) const {
@@ -98,17 +115,23 @@ uint16_t arcspan_find_node(const arcspan_character* character, const char* name)
   return name != nullptr ? short_number(character->animation.find_node(name)) : ARCSPAN_NONE;
 }
 
+arcspan_status arcspan_node_position(const arcspan_character* character, uint16_t node,
+                                     arcspan_point* position) {
+  if (node >= character->nodes.size()) return ARCSPAN_INVALID_ARGUMENT;
+  const Placement place = place_of(*character, node);
+  const WorldPoint at = world_of(*character, place);
+  *position = {at.x.raw(), at.y.raw(), at.z.raw()};
+  return ARCSPAN_OK;
+}
+
 arcspan_status arcspan_attach(const arcspan_character* character, uint16_t node, arcspan_object object) {
   const std::span<Object> held = character->scene.parts_of(object);
   if (node >= character->nodes.size() || held.empty() || object == character->object)
     return ARCSPAN_INVALID_ARGUMENT;
-  const Object& body = *character->scene.parts_of(character->object).data();
-  const Placement place = attached({body.rotation, {}}, character->nodes[node]);
+  const Placement place = place_of(*character, node);
   for (Object& part : held) {
     part.rotation = place.rotation;
-    part.position = {sum(body.position.x, place.translation[0], body.scale),
-                     sum(body.position.y, place.translation[1], body.scale),
-                     sum(body.position.z, place.translation[2], body.scale)};
+    part.position = world_of(*character, place);
   }
   return ARCSPAN_OK;
 }

@@ -197,14 +197,21 @@ static void prepare(lv_arcspan_view_t* view) {
   lv_arcspan_view_drop(view, view->status);
 }
 
-/* Before any view prepares its frame: layouts of the view's display may change sizes, and views of any
- * display may show the object that it turns. Events of a layout may delete the view, so lay_out() does
- * nothing else. */
-static void lay_out(lv_event_t* e) { lv_obj_update_layout(lv_event_get_user_data(e)); }
+static bool is_own_refresh(lv_event_t* e, const lv_arcspan_view_t* view) {
+  return lv_event_get_current_target(e) == lv_obj_get_display(&view->obj);
+}
+
+/* Before any view prepares its frame: layouts may change sizes, and views of any display may show the object
+ * that the view turns if it has a size. Events of a layout may delete the view, so lay_out() does nothing
+ * else. */
+static void lay_out(lv_event_t* e) {
+  lv_arcspan_view_t* const view = lv_event_get_user_data(e);
+  if (is_own_refresh(e, view) || !view->is_refreshing) lv_obj_update_layout(&view->obj);
+}
 
 static void before_refresh(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
-  const bool is_own = lv_event_get_current_target(e) == lv_obj_get_display(&view->obj);
+  const bool is_own = is_own_refresh(e, view);
   if (!is_own && view->is_refreshing) return; /* its frame is being drawn */
   /* A hidden view leaves the object to the visible one, as of another tab. */
   const bool turns = view->changed && view->scene != NULL && lv_obj_is_visible(&view->obj);
@@ -422,9 +429,9 @@ static void constructor(const lv_obj_class_t* class_p, lv_obj_t* obj) {
   view->shown = (lv_area_t){0, 0, -1, -1};
   lv_obj_set_scrollable(obj, false);
   lv_display_t* const display = lv_obj_get_display(obj);
-  lv_display_add_event_cb(display, lay_out, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
   for (lv_display_t* any = lv_display_get_next(NULL); any != NULL; any = lv_display_get_next(any)) {
     /* A view of another display may show the object. */
+    lv_display_add_event_cb(any, lay_out, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
     lv_display_add_event_cb(any, before_refresh, LV_EVENT_REFR_START | LV_EVENT_PREPROCESS, view);
   }
   lv_display_add_event_cb(display, on_refresh_start, LV_EVENT_REFR_START, view);

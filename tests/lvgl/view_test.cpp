@@ -531,6 +531,25 @@ TEST_CASE(
   CHECK((screen.pixels == once));
 }
 
+TEST_CASE("a view that is turned before its first layout turns the object for another display, too") {
+  Screen screen;
+  lv_display_t* const own = lv_display_get_default();
+  lv_display_t* const second = lv_display_create(40, 40);
+  BallScene balls;
+  lv_obj_t* const other = make_view(balls);
+  lv_arcspan_view_set_turned(other, LV_ARCSPAN_NO_OBJECT);
+  lv_display_set_default(second);
+  lv_obj_t* const turning = make_view(balls);
+  lv_display_set_default(own);
+  lv_arcspan_view_set_scale(turning, ARCSPAN_LENGTH(0.5));
+  screen.refresh();
+  const auto first = screen.pixels;
+  lv_arcspan_view_update(other);
+  lv_obj_update_layout(turning);
+  screen.refresh();
+  CHECK((screen.pixels == first));
+}
+
 TEST_CASE("a hidden view does not turn the object that another one turns") {
   Screen screen;
   BallScene balls;

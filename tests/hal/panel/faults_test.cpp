@@ -134,6 +134,39 @@ TEMPLATE_TEST_CASE("a fault while sleeping, waking or setting is mended by the n
   }
 }
 
+TEMPLATE_TEST_CASE("a fault while setting is mended by the next frame, also if nothing has changed in it", "",
+                   ARCSPAN_SMALL_PANELS) {
+  using Mode = PageMode<typename TestType::Driver>;
+  for (const Kind kind : kKinds) {
+    for (std::uint64_t at = 0;; ++at) {
+      TestType bench;
+      REQUIRE(bench.panel.start() == Status::kOk);
+      std::vector<typename Mode::Frame::Word> band(Mode::Frame::words(bench.panel.width(), 8));
+      std::vector<std::uint8_t> wire(wire_bytes<typename TestType::Driver>(bench.panel.width(), 8));
+      std::vector<RowExtent> extents(Damage::extents(bench.panel.height()));
+      Damage damage(extents, bench.panel.width(), bench.panel.height());
+      Mode mode(bench.panel, band, wire, 8);
+      const auto show_black = [&] {
+        return mode.show_changes(damage, [](auto& sink, auto&) {
+          sink.clear({0, 0, 0});
+          return Status::kOk;
+        });
+      };
+      REQUIRE(show_black() == Status::kOk);
+      bench.bus.inject({kind, at});
+      const Status status = bench.panel.set({.inverted = true});
+      if (bench.bus.cancel_fault()) break;
+      INFO("byte " << at << ", fault " << static_cast<int>(kind));
+      REQUIRE(status == sim::status_of(kind));
+      REQUIRE(show_black() == Status::kOk);
+      REQUIRE(bench.device.picture().at(0, 0) == Rgb8{255, 255, 255});
+      const std::uint64_t bytes = bench.bus.count().bytes;
+      REQUIRE(show_black() == Status::kOk);
+      REQUIRE(bench.bus.count().bytes == bytes);
+    }
+  }
+}
+
 TEMPLATE_TEST_CASE("a pin that fails at any time is named, and the next try is right", "", SmallIli9341,
                    SmallSsd1351, SmallSsd0323, SmallSsd1306) {
   for (const bool starting : {true, false}) {

@@ -73,6 +73,8 @@ class PageMode {
     if (damage.width() != panel_.width() || damage.height() != panel_.height())
       return Status::kInvalidArgument;
     damage.set_orientation(panel_.settings().orientation);
+    // Without a change nothing would be sent, and so no settings after set() has failed.
+    if (panel_.needs_configuration()) damage.mark_everything();
     damage.begin_frame();
     const Status status = for_each_band(
         [&](Frame& band) {

@@ -71,6 +71,8 @@ class Panel {
   Status finish();
 
   [[nodiscard]] bool awake() const { return state_ == State::kAwake; }
+  /// Whether a call failed, so that the next start_write() sends all settings first.
+  [[nodiscard]] bool needs_configuration() const { return needs_configuration_; }
 
  protected:
   Panel(const Glass& glass, const PanelSettings& settings, Clock& clock)

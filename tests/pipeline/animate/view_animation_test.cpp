@@ -160,6 +160,12 @@ TEST_CASE("chunks of another size than they state are refused") {
   }
 }
 
+TEST_CASE("weights without a whole head are refused before they are read") {
+  std::vector<TestChunk> chunks = rig().chunks();
+  chunks[kWeights].bytes.resize(8);
+  CHECK(status_of(chunks) == Status::kCorrupted);
+}
+
 TEST_CASE("a chunk that another requires must be there") {
   CHECK(status_without(kNodes) == Status::kCorrupted);
   CHECK(status_without(kSkin) == Status::kIndexOutOfRange);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/mesh/bounding_sphere.hpp>
 #include <arcspan/mesh/mesh_view.hpp>
 
 #include <catch2/catch.hpp>
@@ -48,4 +49,12 @@ TEST_CASE("a mesh view holds 65536 vertices and not one more, and may be empty")
   CHECK(view.triangle(0).b == 65535);
   CHECK(ok(MeshView::make({}, {}, std::span<const std::uint16_t>(), view)));
   CHECK(view.triangle_count() == 0);
+}
+
+TEST_CASE("the bounding sphere of a mesh lies around the middle of its box, wherever that is") {
+  const std::array<ObjectPosition, 2> positions{{{1000, 20000, -30000}, {1200, 20400, -30400}}};
+  const std::array<PackedNormal, 2> normals{};
+  MeshView view;
+  REQUIRE(ok(MeshView::make(positions, normals, std::span<const std::uint8_t>(), view)));
+  CHECK(bounding_sphere(view) == BoundingSphere{{1100, 20200, -30200}, 300});
 }

@@ -43,6 +43,9 @@ TEST_CASE("a font finds the glyph of each code point, or its placeholder") {
   CHECK(font.bottom() == 5);
   CHECK(text_width(font, "AB C") == 9 + 1 + 5 + 3);
   CHECK(missing_glyphs(font, "AB\nC\xFF") == 2);
+  static constexpr std::array<GlyphRange, 1> kLower{{{0x41, 0, 2, 2}}};  // the last is not the highest
+  REQUIRE(ok(Font<1>::make(kLower, kGlyphs, kBitmaps, 4, font)));
+  CHECK(font.top() == -3);
   static constexpr std::array<GlyphRange, 1> kRange{{{0x41, 0, 2, 1}}};
   static_assert(Font<1>::of(kRange, kGlyphs, kBitmaps, 4).bottom() == 5);
 }

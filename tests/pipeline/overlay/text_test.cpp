@@ -94,6 +94,17 @@ TEST_CASE("smooth text: coverage mixes the colour with the pixels below it") {
       CHECK(int{frame.pixel(x, y).r} == expected[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]);
 }
 
+TEST_CASE("smooth text: an outline is no wider than a pixel") {
+  std::array<std::uint8_t, 8 * 6> memory{};
+  hal::Framebuffer<Gray8> frame(memory, 8, 6);
+  frame.clear({100, 100, 100});
+  CHECK(draw_text(frame, smooth_font().font, {1, 1}, "L", OutlinedText{{255, 255, 255}, {0, 0, 0}}) ==
+        Status::kOk);
+  CHECK(frame.pixel(0, 0).r == 0);
+  CHECK(frame.pixel(1, 1).r == 255);
+  CHECK(frame.pixel(4, 0).r == 100);  // beside a corner without coverage
+}
+
 TEMPLATE_TEST_CASE("smooth text: full coverage is the colour, and none changes nothing", "", Rgb565, Gray2,
                    Mono, Rgb888) {
   std::vector<typename TestType::Word> memory(hal::Framebuffer<TestType>::words(8, 8));

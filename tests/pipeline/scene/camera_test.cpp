@@ -162,6 +162,26 @@ TEST_CASE("objects of different scale have the depths of one camera") {
   CHECK(worst < 2.5);
 }
 
+TEST_CASE("what is far beside the view of an orthographic lens is beside it") {
+  Random random(1816);
+  int placed = 0;
+  for (int i = 0; i < 100; ++i) {
+    Camera camera;
+    const Lens lens =
+        Lens::orthographic(to_world(random.decades(0.01, 10)), to_world(1), to_world(random.real(2, 3000)));
+    if (!ok(Camera::make({WorldPoint::of(0, 0, 2), {}}, lens, {320, 240}, camera))) continue;
+    Object object(kNoMesh, kRed, to_point({random.decades(1000, 16000), random.decades(1000, 16000), 0.5}));
+    object.scale = to_world(random.decades(0.01, 1000));
+    ClipTransform transform;
+    if (!camera.place(object.position, object.rotation, object.scale, transform)) continue;
+    ++placed;
+    const std::uint8_t code = outcode(transform({0, 0, 0}), transform.w_range());
+    REQUIRE((code & kOutsideRight) != 0);
+    REQUIRE((code & kOutsideTop) != 0);
+  }
+  CHECK(placed > 50);
+}
+
 TEST_CASE("an orthographic lens is parallel to within 1/8192, with linear depth") {
   Random random(1814);
   double worst = 0;

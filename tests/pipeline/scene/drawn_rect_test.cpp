@@ -163,6 +163,22 @@ TEST_CASE("the rectangle of an unclipped object is that of its vertices, and tou
   CHECK(tight > share_of(600) / 20);
 }
 
+TEST_CASE("all pixels of an object that clip planes cut lie in its rectangle") {
+  Random random(4524);
+  const SceneMaterial* const materials[] = {&kBothSides, &kRed, &kWire};
+  int part_of_picture = 0;
+  for (int i = 0; i < 60; ++i) {
+    RandomObjects made{random_camera(random), {}};
+    made.objects.emplace_back(kCubeView, *materials[i % 3]);
+    place_beside_eye(random, made.objects[0], made.camera, 1.1);
+    Canvas expected;
+    REQUIRE(ok(draw_scene(made.scene(), expected.picture, expected.depth, without_vertices).status));
+    const Rect rect = check_scene(made, without_vertices, expected);
+    part_of_picture += !rect.empty() && rect.width() < Canvas::kWidth ? 1 : 0;
+  }
+  CHECK(part_of_picture > 3);
+}
+
 TEST_CASE("a triangle beside the picture does not count") {
   Camera camera;
   REQUIRE(Camera::make({WorldPoint::of(0, 0, 3), {}}, kLens, kScreen, camera) == Status::kOk);

@@ -213,6 +213,27 @@ TEST_CASE("the rectangle and the picked triangle of a posed object are those of 
   CHECK(pick(shared_vertices, -1, 0).object == nullptr);
 }
 
+TEST_CASE("the rectangle of a posed object that clip planes cut is that of its pose") {
+  const Poses poses;
+  Random random(7);
+  int cut = 0;
+  for (int repeat = 0; repeat < 40; ++repeat) {
+    Twins twins(random, poses);
+    for (RandomObjects* made : {&twins.posed, &twins.still})
+      made->objects.erase(made->objects.begin() + 1, made->objects.end());
+    place_beside_eye(random, twins.posed.objects[0], twins.posed.camera, 0.7);
+    twins.still.objects[0].position = twins.posed.objects[0].position;
+    twins.still.objects[0].rotation = twins.posed.objects[0].rotation;
+    twins.still.objects[0].scale = twins.posed.objects[0].scale;
+    REQUIRE(ok(prepare_scene(twins.still.scene(), own_vertices)));
+    REQUIRE(ok(prepare_scene(twins.posed.scene(), shared_vertices)));
+    const Rect rect = drawn_rect(own_vertices);
+    CHECK(drawn_rect(shared_vertices) == rect);
+    cut += rect.empty() ? 0 : 1;
+  }
+  CHECK(cut > 3);
+}
+
 TEST_CASE("a pose that does not fit its object is refused, and outlines without its vertices") {
   const Poses poses;
   const Camera camera = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);
@@ -248,6 +269,9 @@ TEST_CASE("a pose that does not fit its object is refused, and outlines without 
   const Object whole[] = {{poses.rest, poses.posed_copper}};
   REQUIRE(ok(prepare_scene({camera, kLights, whole}, no_vertices)));
   CHECK(find_outlines(no_vertices, outlines) == Status::kUnsupported);
+  const Object still[] = {{poses.rest, poses.copper}};
+  REQUIRE(ok(prepare_scene({camera, kLights, still}, no_vertices)));
+  CHECK(find_outlines(no_vertices, outlines) == Status::kOk);
 
   static SceneMemory<SceneMethods, 4, 400> of_still_objects;
   CHECK(prepare_scene({camera, kLights, whole}, of_still_objects) == Status::kMethodNotListed);

@@ -35,4 +35,11 @@ inline void place_at_random(Random& random, Object& object, double away) {
   object.rotation = random_rotation(random);
 }
 
+/// The same beside the eye, where clip planes cut the object: so many of its `scale` away.
+inline void place_beside_eye(Random& random, Object& object, const Camera& camera, double away) {
+  object.scale = to_world(random.decades(0.3, 3));
+  object.position = to_point(to_vec3(camera.eye()) + away * to_double(object.scale) * random_unit(random));
+  object.rotation = random_rotation(random);
+}
+
 }  // namespace arcspan::test

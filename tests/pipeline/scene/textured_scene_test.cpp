@@ -51,6 +51,10 @@ constexpr PreparedMaterial<Wall> kPainted = PreparedMaterial<Wall>::of(kWhitePai
                                                 .with(Texture<DirectTexels<>>::of(kChequers, {3, 3, 1}))
                                                 .with(Fogged{&kMist});
 
+/// The same paint without texture and fog.
+using BareWall = Use<GreyGouraud<OneLight>, DrawFeatures{}, true>;
+constexpr auto kBare = PreparedMaterial<BareWall>::of(kWhitePaint, kLampLight);
+
 SceneMemory<MethodList<Wall>, 2, 8> memory_of_walls;
 
 using Pane = WithOperation<Unlit, Opacity<>>;
@@ -87,6 +91,9 @@ TEST_CASE("a textured material in flash is drawn by scenes as by draw_mesh, howe
     header.camera = &camera;
     Wall::Method::Lighting lighting;
     REQUIRE(ok(kPainted.light(detail::lights_at(header, wall), lighting)));
+    OneLight bare;
+    REQUIRE(ok(kBare.light(detail::lights_at(header, wall), bare)));
+    CHECK(lighting.ramp().back().lanes == bare.ramp().back().lanes);
     REQUIRE(ok(
         draw_mesh<Wall::Method>(kWall, transform, lighting, mesh_canvas.picture, mesh_canvas.depth).status));
   }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/draw/wireframe.hpp>
+#include <arcspan/pixel/pixel_operation.hpp>
+#include <arcspan/shading/with_operation.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/scene/scene_support.hpp>
@@ -78,4 +80,12 @@ TEST_CASE("a scene draws wireframes, in bands as at once") {
     }
     CHECK(drawn == single.pixels);
   }
+}
+
+TEST_CASE("a copy of a wireframe's material has the parameters of its operation") {
+  using Faint = Wireframe<WithOperation<Unlit, Opacity<>>>;
+  const PreparedMaterial<Faint> wires(
+      Faint::Lighting(WithOperation<Unlit, Opacity<>>::Lighting(Unlit::lighting({}))));
+  CHECK(wires.with(Opacity<>{5}).lighting().operation.opacity == 5);
+  CHECK(wires.with(DepthBias{3}).lighting().bias.units == 3);
 }

@@ -435,6 +435,29 @@ TEST_CASE("black that is added changes no pixel, white saturates", "[textures]")
   }
 }
 
+TEST_CASE("in 5-6-5 a colour over itself stays, and opacity 0 keeps every pixel", "[textures]") {
+  const auto grey = [](std::uint32_t level) {
+    return PackedRgb::of(4 * level + 2, 4 * level + 2, 4 * level + 2);
+  };
+  for (std::uint32_t level = 0; level < 256; level += 5) {
+    const std::uint16_t pixel = detail::colour565(grey(level));
+    for (std::uint32_t opacity = 0; opacity <= 32; ++opacity)
+      REQUIRE(Opacity<>{opacity}(grey(level)).over565(pixel) == pixel);
+    REQUIRE(Opacity<>{0}(grey(255 - level)).over565(pixel) == pixel);
+    REQUIRE(Opacity<Blend::kMultiply>{0}(grey(255 - level)).over565(pixel) == pixel);
+    REQUIRE(Opacity<Blend::kMultiply>{32}(grey(255)).over565(pixel) == pixel);
+  }
+}
+
+TEST_CASE("an opaque colour and a pixel below nothing keep all bits", "[textures]") {
+  for (std::uint32_t level = 0; level < 1024; level += 31) {
+    const PackedRgb surface = PackedRgb::of(level, 1023 - level, level ^ 511);
+    const PackedRgb below = PackedRgb::of(1023 - level, level ^ 255, level);
+    REQUIRE(Opacity<>{32}(surface).over(below).lanes == surface.lanes);
+    REQUIRE(Opacity<>{0}(surface).over(below).lanes == below.lanes);
+  }
+}
+
 TEST_CASE("fog is within 1.5 steps of 255 at every depth, and complete at its end", "[textures]") {
   constexpr std::int32_t kUnit = 2000;
   const int ratio = GENERATE(2, 10, 100, 1000);

@@ -47,7 +47,8 @@ template <class Source, class Target>
 /// Bits that the source does not store stay lost: after Rgb565 a target of 24 bits has 32 or 64 levels per
 /// channel.
 ///
-/// A surface that writes no depth (ReadOnlyDepth) is copied only where something behind it wrote it. The
+/// A surface that writes no depth (ReadOnlyDepth) is copied only where something behind it wrote it, and ink
+/// and smoothed pixels outside of outlines likewise: smooth and ink outlines in `target` afterwards. The
 /// target gets a run for every row of neighbouring pixels. Returns
 ///
 ///   kOk                all of them are converted

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Smoothed pictures: pixels by area, the same in bands and rectangles, and nothing where nothing is to
 // change.
+#include <arcspan/hal/panel/damage.hpp>
+#include <arcspan/ink_outlines.hpp>
 #include <arcspan/pixel/pixel_format_list.hpp>
 #include <arcspan/pixel/sink_part.hpp>
 #include <arcspan/smooth_outlines.hpp>
@@ -325,6 +327,31 @@ TEST_CASE("Smooth outlines: opaque pixels with alpha are mixed as those without"
     const auto share = static_cast<std::uint32_t>(random.integer(0, 32));
     CHECK(detail::blended<Argb8888>(a | 0xFF000000u, b | 0xFF000000u, share) ==
           (detail::blended<Xrgb8888>(a, b, share) | 0xFF000000u));
+  }
+}
+
+TEST_CASE("Smooth outlines: the damage of a frame has all pixels that they and ink change") {
+  Random random(57);
+  for (int i = 0; i < share_of(100); ++i) {
+    const OutlineScene scene(random, i % 2 != 0);
+    const Rect& all = scene.bounds();
+    Picture plain(all);
+    scene.draw(plain);
+    Picture picture(all);
+    scene.draw(picture);
+    std::vector<hal::RowExtent> extents(hal::Damage::extents(all.height()));
+    hal::Damage damage(extents, all.width(), all.height());
+    for (int frame = 0; frame < 3; ++frame) damage.begin_frame();  // the first two are changed everywhere
+    hal::DamageSink sink(picture.frame, damage);
+    std::vector<OutlineGap<Rgb565>> gaps(9000);
+    if (random.chance(0.5))
+      REQUIRE(ok(ink_outlines(scene.outlines, {.width = 2}, sink, picture.depth, std::span(gaps))));
+    REQUIRE(ok(smooth_outlines(scene.outlines, sink, picture.depth, std::span(gaps))));
+    for (std::int32_t y = 0; y < all.bottom; ++y) {
+      const Rect changed = damage.changed_area(y, y + 1);
+      CHECK(same_pixels(plain, picture, {0, y, changed.empty() ? all.right : changed.left, y + 1}));
+      if (!changed.empty()) CHECK(same_pixels(plain, picture, {changed.right, y, all.right, y + 1}));
+    }
   }
 }
 

@@ -128,6 +128,8 @@ template <PixelSink Target>
 class DamageSink {
  public:
   using Format = typename Target::Format;
+  /// Rows lie in memory if those of the target do: outlines are smoothed and inked in it, too.
+  using RowsInMemory = std::conditional_t<SinkInMemory<Target>, DamageSink, void>;
   using FromFirstColumn = std::conditional_t<SinkFromFirstColumn<Target>, DamageSink, void>;
 
   constexpr DamageSink(Target& target, Damage& damage) : target_(target), damage_(damage) {}
@@ -150,6 +152,12 @@ class DamageSink {
   [[nodiscard]] constexpr Status close(const Span& run) {
     damage_.mark(run);
     return target_.close(run);
+  }
+  [[nodiscard]] constexpr auto* row(std::int32_t y) const requires SinkInMemory<Target> {
+    return target_.row(y);
+  }
+  [[nodiscard]] constexpr std::int32_t stride_bytes() const requires SinkInMemory<Target> {
+    return target_.stride_bytes();
   }
 
  private:

@@ -33,6 +33,12 @@ bool has_textures(const FixedModel& model) {
                      [](const PartLook& look) { return look.material.texture != nullptr; });
 }
 
+bool has_borders(const FixedModel& model) {
+  return std::any_of(model.looks.begin(), model.looks.end(), [](const PartLook& look) {
+    return look.material.texture != nullptr && !look.material.sampler.repeats();
+  });
+}
+
 std::string name_of(const Row& row, bool textured) {
   const std::string method(row.method);
   return (textured && method == "gouraud" ? "grey " : "") + method + (row.in_bands ? " in bands" : "");
@@ -144,6 +150,7 @@ Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, d
   made.pictures = kPictures;
   made.model_bytes = model_bytes;
   made.textured = has_textures(model);
+  made.borders = has_borders(model);
   made.outlined = !model.meshes[0].neighbours.empty();
   set_memory(model, made);
   const std::vector<ForecastPicture> pictures =

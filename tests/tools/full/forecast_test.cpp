@@ -107,6 +107,8 @@ TEST_CASE("flat shading poses the faces that it shades once more, not small ones
   using Kinds = std::array<double, 4>;
   CHECK(amounts("arc", 0).positions == Kinds{1, 3, 0, 0});
   CHECK(amounts("arc", 0).normals == Kinds{1, 3, 0, 0});
+  CHECK(amounts("arc", 4).normals == Kinds{1, 3, 0, 0});
+  CHECK(amounts("arc", 8).normals == Kinds{2, 6, 0, 0});  // backs are shaded, too, or in several bands
   CHECK(amounts("flat", 2).positions == Kinds{1 + 2, 3 + 4, 0, 0});
   CHECK(amounts("flat", 1).positions == Kinds{1 + 1, 3 + 2, 0, 0});
   CHECK(amounts("flat", 0).positions == Kinds{1, 3, 0, 0});

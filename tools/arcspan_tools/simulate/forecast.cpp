@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace arcspan::tools {
@@ -93,13 +94,14 @@ FixedMesh extent_of(const std::vector<ForecastPicture>& pictures) {
   return all;
 }
 
-/// The faces that flat shading shades.
-double shaded_faces(const std::optional<std::vector<PartEvents>>& events) {
-  double faces = 0;
+/// How many normals are shaded, by flat shading those of faces.
+double shaded_normals(const std::optional<std::vector<PartEvents>>& events, std::string_view shading) {
+  const char* const name = shading == "flat" ? "face" : "shaded vertex";
+  double normals = 0;
   for (const PartEvents& part : events.value_or(std::vector<PartEvents>())) {
-    for (const CostTerm& term : part.terms) faces += term.name == "face" ? term.amount : 0;
+    for (const CostTerm& term : part.terms) normals += term.name == name ? term.amount : 0;
   }
-  return faces;
+  return normals;
 }
 
 /// Adds the share of a picture to the figures of a method.
@@ -109,7 +111,8 @@ void add_picture(const char* method, const FixedModel& model, const ForecastPict
   const Size size = picture.scene.size;
   PoseAmounts amounts;
   if (model.animation != nullptr)
-    amounts = pose_amounts(model, picture.pose, *picture.scene.camera.eye, method, shaded_faces(events));
+    amounts =
+        pose_amounts(model, picture.pose, *picture.scene.camera.eye, method, shaded_normals(events, method));
   for (std::size_t i = 0; i < kForecastCores.size(); ++i) {
     const std::string_view core = kForecastCores[i].weights;
     const double posing = pose_instructions(core, amounts);

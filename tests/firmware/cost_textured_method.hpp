@@ -22,5 +22,8 @@ template <class Light>
 using TexturedGreyGouraud = Textured<GreyGouraud<Light>, Palette8Texels<>>;
 template <class Light>
 using TexturedArc = Textured<Arc<Light>, Palette8Texels<>>;
+template <class Light>
+using TexturedBilinearArc =
+    Textured<Arc<Light>, Palette8Texels<>, texel_light_of<Arc<Light>>(), TextureFilter::kBilinear>;
 
 }  // namespace arcspan

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,32 @@ TEST_CASE("triangles across a clip plane are events of every band") {
     std::erase_if(without[0].terms, [](const CostTerm& term) { return term.name.starts_with("clip"); });
     CHECK(instructions_on(core.weights, whole).value() >
           instructions_on(core.weights, without).value() + 1000 * cut);
+  }
+}
+
+TEST_CASE("bilinear texels cost more than the nearest ones") {
+  const FixedModel model = loaded(std::string(ARCSPAN_MODELS) + "/sign.obj");
+  RenderJob job = job_of(model, 90);
+  std::erase_if(job.parts, [](const RenderPart& part) { return part.texture == nullptr; });
+  auto texture = std::make_shared<SurfaceTexture>(*job.parts[0].texture);
+  texture->view = texture->view.with(
+      {arcspan::TextureWrap::kRepeat, arcspan::TextureWrap::kRepeat, arcspan::TextureFilter::kBilinear});
+  for (const char* shading : {"flat", "gouraud", "arc"}) {
+    CAPTURE(shading);
+    const auto nearest = picture_events(shading, job).value();
+    CHECK(amount_of(nearest, "bilinear texel") == 0);
+    RenderJob filtered = job;
+    filtered.parts[0].texture = texture;
+    const auto bilinear = picture_events(shading, filtered).value();
+    const double texels = amount_of(bilinear, "bilinear texel");
+    CHECK(texels == sum_of(bilinear, "written"));
+    REQUIRE(texels > 100);
+    for (const ForecastCore& core : kForecastCores) {
+      const double more =
+          instructions_on(core.weights, bilinear).value() - instructions_on(core.weights, nearest).value();
+      CHECK(more > 40 * texels);
+      CHECK(more < 120 * texels);
+    }
   }
 }
 

@@ -107,6 +107,8 @@ TEST_CASE("flat shading poses the faces that it shades once more, not small ones
   using Kinds = std::array<double, 4>;
   CHECK(amounts("arc", 0).positions == Kinds{1, 3, 0, 0});
   CHECK(amounts("arc", 0).normals == Kinds{1, 3, 0, 0});
+  CHECK(amounts("arc", 4).normals == Kinds{1, 3, 0, 0});
+  CHECK(amounts("arc", 8).normals == Kinds{2, 6, 0, 0});  // backs are shaded, too, or in several bands
   CHECK(amounts("flat", 2).positions == Kinds{1 + 2, 3 + 4, 0, 0});
   CHECK(amounts("flat", 1).positions == Kinds{1 + 1, 3 + 2, 0, 0});
   CHECK(amounts("flat", 0).positions == Kinds{1, 3, 0, 0});
@@ -129,6 +131,40 @@ TEST_CASE("a forecast of a textured model has grey Gouraud in place of Gouraud")
   CHECK(figure(sign, "grey gouraud", "RV32IMC") > 0);
   // Its light is linear: Arc steps the level, too.
   CHECK(figure(sign, "grey gouraud", "Cortex-M3") == Approx(figure(sign, "arc", "Cortex-M3")).epsilon(.06));
+}
+
+TEST_CASE("a forecast draws textures in the size and with the levels that are compiled") {
+  const TemporaryFolder folder;
+  const std::string sign = std::string(ARCSPAN_MODELS) + "/sign.obj";
+  for (const char* options : {"", "--texture-levels all", "--texture-size 8"}) {
+    CAPTURE(options);
+    REQUIRE(run("mesh " + sign + " -o " + (folder / "sign.bin") + " " + options).status == 0);
+    // The textures of a binary are not made anew.
+    const nlohmann::json compiled = forecast_of(folder / "sign.bin", options);
+    const nlohmann::json made = forecast_of(sign, options);
+    for (const char* method : {"flat", "grey gouraud", "arc", "arc in bands"})
+      CHECK(figure(made, method, "Cortex-M3") == figure(compiled, method, "Cortex-M3"));
+  }
+  const auto arc = [&sign](const char* options) {
+    return figure(forecast_of(sign, options), "arc", "Cortex-M3");
+  };
+  CHECK(arc("--texture-levels all") > arc("--texture-levels 1"));
+}
+
+TEST_CASE("a forecast says that borders of textures are not in it") {
+  const TemporaryFolder folder;
+  const auto says = [&folder](const char* clamp) {
+    std::ofstream(folder / "sign.obj") << "mtllib sign.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\n"
+                                          "vt 0 1\nusemtl a\nf 1/1 2/2 3/3\n";
+    std::ofstream(folder / "sign.mtl") << "newmtl a\nmap_Kd -clamp " << clamp << " a.ppm\n";
+    std::ofstream(folder / "a.ppm") << "P6 2 2 255\n000aaaaaa000";
+    const CommandRun done =
+        run("mesh " + (folder / "sign.obj") + " -o " + (folder / "a.bin") + " --forecast");
+    REQUIRE(done.status == 0);
+    return done.out.find("borders of textures are not in it") != std::string::npos;
+  };
+  CHECK(says("on"));
+  CHECK_FALSE(says("off"));
 }
 
 TEST_CASE("options of the forecast without it are refused") {

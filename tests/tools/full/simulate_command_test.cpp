@@ -6,6 +6,7 @@
 #include <tests/tools/temporary_folder.hpp>
 
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -141,18 +142,28 @@ TEST_CASE(
   CHECK(of_outlines > 10'000);
   CHECK(instructions("") > instructions("--no-smooth") + of_outlines);
   CHECK(instructions("--ink 0,0,0") > instructions(""));
-  const auto without = [&folder](const std::string& options) {
-    const std::string out = run("simulate torus:24x12 " + options + " -o " + (folder / "panel.png")).out;
+  const auto drawing = [&folder](const std::string& arguments) {
+    const std::string out = run("simulate " + arguments + " -o " + (folder / "panel.png")).out;
     const std::size_t at = out.find("drawing: ");
     REQUIRE(at != std::string::npos);
     return out.substr(at, out.find('\n', at) - at);
   };
+  const auto without = [&drawing](const std::string& options) { return drawing("torus:24x12 " + options); };
   CHECK(without("--shading phong") == "drawing: no figures of phong shading on a Cortex-M3");
   CHECK(without("--light 1,0,0 --light 0,1,0") == "drawing: no figures of several lights on a Cortex-M3");
   CHECK(without("--fog 1,9") == "drawing: no figures of textures and effects on a Cortex-M3");
   CHECK(without("--no-depth").ends_with("; with a depth buffer: without one it takes less)"));
   CHECK(without("--toon 4") == "drawing: no figures of toon light on a Cortex-M3");
   CHECK(without("--no-dither --highlight-fade 0.3").ends_with("; without the fade of highlights)"));
+  const std::string walker = std::string(ARCSPAN_EXAMPLES) + "/walker/walker.glb --no-dither";
+  CHECK(drawing(walker + " --turntable 2 --clip walk").ends_with("; without posing, see mesh --forecast)"));
+  CHECK(drawing(walker + " --turntable 2").ends_with("are kept)"));
+  std::ofstream(folder / "sign.obj") << "mtllib sign.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                        "usemtl a\nf 1/1 2/2 3/3\n";
+  std::ofstream(folder / "sign.mtl") << "newmtl a\nmap_Kd -clamp on a.ppm\n";
+  std::ofstream(folder / "a.ppm") << "P6 2 2 255\n000aaaaaa000";
+  CHECK(drawing(folder / "sign.obj" + " --no-dither")
+            .ends_with("; for textures that repeat: others take up to 45 instructions more a pixel)"));
   // The estimate is one of pixels in rgb565.
   const std::string other = "; for rgb565 without dither: other pixels take up to 40 instructions more each)";
   CHECK(without("--no-dither").find(other) == std::string::npos);

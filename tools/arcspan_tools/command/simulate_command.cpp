@@ -55,6 +55,7 @@ struct Totals {
   std::string other_methods;      ///< by_other_methods() of the first frame
   bool other_pixels = false;      ///< shown in another format than rgb565, or with dither
   bool grey = false;              ///< textures are estimated as drawn by GreyGouraud
+  bool borders = false;           ///< a texture does not repeat
   std::string outlines;           ///< RenderOptions::outline_text()
   std::size_t outline_bytes = 0;  ///< the most of a frame; 0 without smoothing and ink
 };
@@ -118,6 +119,12 @@ bool has_textures(const RenderJob& job) {
                      [](const RenderPart& part) { return part.texture != nullptr; });
 }
 
+bool has_borders(const RenderJob& job) {
+  return std::any_of(job.parts.begin(), job.parts.end(), [](const RenderPart& part) {
+    return part.texture != nullptr && !part.texture->view.sampler().repeats();
+  });
+}
+
 /// Estimates for the other main methods: "flat 569880 (-42 %), ...", compared with the frame's own method,
 /// which takes `own` instructions; and in a second line which one to take.
 std::string by_other_methods(double own, const std::string& shading, const RenderJob& job) {
@@ -177,6 +184,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
     if (instructions && i == 0) totals.other_methods = by_other_methods(*instructions, options.shading, job);
     totals.other_pixels = display.format() != "rgb565" || options.dither;
     totals.grey = options.shading == "gouraud" && has_textures(job);
+    totals.borders = has_borders(job);
     if (!instructions) totals.without_figures = without_figures(options.shading, job);
     const double others = instructions ? all_pixels * pixel_cost : 0;
     const auto draw_ns =
@@ -201,6 +209,8 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
 std::string assumptions(const SimulateArguments& arguments, const Totals& totals) {
   std::string text;
   if (totals.grey) text += "; textures in grey light";
+  if (totals.borders) text += "; for textures that repeat: others take up to 45 instructions more a pixel";
+  if (arguments.options.plays()) text += "; without posing, see mesh --forecast";
   if (totals.other_pixels)
     text += "; for rgb565 without dither: other pixels take up to 40 instructions more each";
   if (arguments.options.scene.surface.highlight_fade != 0) text += "; without the fade of highlights";

@@ -61,6 +61,7 @@ std::vector<CostTerm> DrawEvents::terms() const {
   add("perspective span", perspective_spans, terms);
   add("piece", pieces, terms);
   add("new level", new_levels, terms);
+  add("bilinear texel", bilinear, terms);
   add("shiny pixel", shiny, terms);
   add("tinted pixel", tinted, terms);
   add_paths("small", small, terms);

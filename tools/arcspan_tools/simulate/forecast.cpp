@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace arcspan::tools {
@@ -31,6 +32,12 @@ constexpr Row kRows[] = {{"flat", false}, {"gouraud", false}, {"arc", false}, {"
 bool has_textures(const FixedModel& model) {
   return std::any_of(model.looks.begin(), model.looks.end(),
                      [](const PartLook& look) { return look.material.texture != nullptr; });
+}
+
+bool has_borders(const FixedModel& model) {
+  return std::any_of(model.looks.begin(), model.looks.end(), [](const PartLook& look) {
+    return look.material.texture != nullptr && !look.material.sampler.repeats();
+  });
 }
 
 std::string name_of(const Row& row, bool textured) {
@@ -87,13 +94,14 @@ FixedMesh extent_of(const std::vector<ForecastPicture>& pictures) {
   return all;
 }
 
-/// The faces that flat shading shades.
-double shaded_faces(const std::optional<std::vector<PartEvents>>& events) {
-  double faces = 0;
+/// How many normals are shaded, by flat shading those of faces.
+double shaded_normals(const std::optional<std::vector<PartEvents>>& events, std::string_view shading) {
+  const char* const name = shading == "flat" ? "face" : "shaded vertex";
+  double normals = 0;
   for (const PartEvents& part : events.value_or(std::vector<PartEvents>())) {
-    for (const CostTerm& term : part.terms) faces += term.name == "face" ? term.amount : 0;
+    for (const CostTerm& term : part.terms) normals += term.name == name ? term.amount : 0;
   }
-  return faces;
+  return normals;
 }
 
 /// Adds the share of a picture to the figures of a method.
@@ -103,7 +111,8 @@ void add_picture(const char* method, const FixedModel& model, const ForecastPict
   const Size size = picture.scene.size;
   PoseAmounts amounts;
   if (model.animation != nullptr)
-    amounts = pose_amounts(model, picture.pose, *picture.scene.camera.eye, method, shaded_faces(events));
+    amounts =
+        pose_amounts(model, picture.pose, *picture.scene.camera.eye, method, shaded_normals(events, method));
   for (std::size_t i = 0; i < kForecastCores.size(); ++i) {
     const std::string_view core = kForecastCores[i].weights;
     const double posing = pose_instructions(core, amounts);
@@ -144,6 +153,7 @@ Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, d
   made.pictures = kPictures;
   made.model_bytes = model_bytes;
   made.textured = has_textures(model);
+  made.borders = has_borders(model);
   made.outlined = !model.meshes[0].neighbours.empty();
   set_memory(model, made);
   const std::vector<ForecastPicture> pictures =

@@ -50,6 +50,7 @@ struct Forecast {
   std::size_t model_bytes = 0;  ///< of flash
   bool textured = false;        ///< a part has a texture
   bool outlined = false;        ///< it has neighbours: its outlines are smoothed
+  bool borders = false;         ///< a texture does not repeat, which is not in the figures
   bool morphs = false;          ///< morph targets move it, which is not in the figures
 
   static constexpr std::int32_t kBandRows = 16;

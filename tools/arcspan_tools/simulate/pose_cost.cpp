@@ -30,13 +30,14 @@ double for_each_front(const FixedMesh& mesh, Vec3 eye, const Take& take) {
 }  // namespace
 
 PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 eye, std::string_view shading,
-                         double shaded_faces) {
+                         double shaded) {
   const FixedAnimation& animation = *model.animation;
   PoseAmounts amounts;
   amounts.nodes = static_cast<double>(animation.nodes.size());
   std::set<std::size_t> skins;
   std::array<double, 4> corners{};  // of all front faces
   double fronts = 0;
+  double lit = 0;
   for (std::size_t part = 0; part < model.meshes.size(); ++part) {
     const FixedPartMotion& motion = animation.parts[part];
     const bool follows = !motion.weights.empty();
@@ -45,17 +46,24 @@ PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 
     const FixedMesh& mesh = posed.meshes[part];
     std::vector<bool> is_lit(mesh.positions.size());
     fronts += for_each_front(mesh, (eye - mesh.centre) * (1 / mesh.unit), [&](std::size_t i) {
+      const double once = is_lit[i] ? 0 : 1;
+      is_lit[i] = true;
+      lit += once;
       if (!follows) return;
       const std::size_t kind = motion.weights[i].count - 1;
       ++corners[kind];
-      if (!is_lit[i]) ++amounts.normals[kind];
-      is_lit[i] = true;
+      amounts.normals[kind] += once;
     });
   }
   for (const std::size_t skin : skins) amounts.joints += static_cast<double>(animation.skins[skin].size());
-  if (shading != "flat") return amounts;
+  if (shading != "flat") {
+    if (lit > 0 && shaded > lit) {
+      for (double& some : amounts.normals) some *= shaded / lit;
+    }
+    return amounts;
+  }
   amounts.normals = {};
-  const double share = fronts > 0 ? shaded_faces / fronts : 0;
+  const double share = fronts > 0 ? shaded / fronts : 0;
   for (std::size_t kind = 0; kind < corners.size(); ++kind) amounts.positions[kind] += share * corners[kind];
   return amounts;
 }

@@ -104,6 +104,14 @@ void draw_hidden(DrawEvents& events) {
   }
 }
 
+/// Methods are counted by their nearest texels; four that are mixed draw the same pixels.
+void count_bilinear(const RenderPart& part, DrawEvents& events) {
+  if (part.texture == nullptr || part.texture->view.sampler().filter != TextureFilter::kBilinear) return;
+  for (const auto* paths : {&events.small, &events.large, &events.perspective}) {
+    for (const DrawEvents::Path& path : *paths) events.bilinear += path.written;
+  }
+}
+
 }  // namespace
 
 std::optional<std::vector<PartEvents>> picture_events(std::string_view shading, const RenderJob& job) {
@@ -123,6 +131,7 @@ std::optional<std::vector<PartEvents>> picture_events(std::string_view shading, 
       DrawEvents events;
       method->count(part, job, picture, events);
       if (!job.depth) draw_hidden(events);
+      count_bilinear(part, events);
       found.push_back({method->weights, events.terms()});
     }
   }

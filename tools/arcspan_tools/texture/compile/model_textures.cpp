@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace arcspan::tools {
 namespace {
@@ -57,6 +60,20 @@ ModelTextures make_textures(const FixedModel& model, const TextureOptions& optio
   }
   if (made.textures.empty()) made.of_part.clear();
   return made;
+}
+
+FixedModel with_made_textures(FixedModel model, const ModelTextures& made) {
+  for (std::size_t i = 0; i < made.of_part.size(); ++i) {
+    if (!made.of_part[i]) continue;
+    const MadeTexture& texture = made.textures[*made.of_part[i]];
+    FileMaterial& material = model.looks[i].material;
+    std::vector<RgbaImage> smaller;
+    for (unsigned level = 1; level < texture.size.levels; ++level)
+      smaller.push_back(drawn_level(texture, level));
+    material.texture = std::make_shared<FileTexture>(
+        FileTexture{material.texture->name, drawn_level(texture, 0), std::move(smaller)});
+  }
+  return model;
 }
 
 }  // namespace arcspan::tools

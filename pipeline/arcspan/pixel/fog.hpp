@@ -34,7 +34,8 @@ struct FogRange {
 /// the depth where the fog ends. It is indexed by d = end depth - depth: an entry for each d below 128, and
 /// 128 entries for each doubling of d + 128.
 ///
-/// Made once per camera. An operation refers to it, so it must outlive drawing.
+/// Made once per camera, which takes about 500,000 instructions; the colour may change in each frame. An
+/// operation refers to it, so it must outlive drawing.
 class Fog {
  public:
   /// No fog.
@@ -57,9 +58,14 @@ class Fog {
       const std::uint32_t both = at(first) + at(first + (std::uint32_t{1} << octave) - 1);
       fog.shares_[i] = static_cast<std::uint8_t>((both * 255 + (1u << kShareBits)) >> (kShareBits + 1));
     }
-    fog.colour_ = PackedRgb::of(colour);
-    fog.spread_ = detail::spread(detail::colour565(fog.colour_));
+    fog.set_colour(colour);
     return Status::kOk;
+  }
+
+  /// Another colour at the same distances, as at nightfall. Takes a few instructions.
+  constexpr void set_colour(Rgb8 colour) {
+    colour_ = PackedRgb::of(colour);
+    spread_ = detail::spread(detail::colour565(colour_));
   }
 
   /// The share of the fog at a 16-bit depth, 0...255, and 255 from `end` on. Its error is at most 1.5 if

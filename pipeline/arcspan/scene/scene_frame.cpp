@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/checked.hpp>
 #include <arcspan/scene/scene_frame.hpp>
 
 #include <tuple>
@@ -95,6 +96,8 @@ void insert_into_order(const SceneFrame& frame, std::size_t last) {
 
 /// Sets up a slot for an object. Returns false if the object is not in view.
 [[nodiscard]] bool set_up(const Object& object, const Camera& camera, SceneSlot& slot) {
+  ARCSPAN_CHECK(object.sphere().radius != 0 || bounding_sphere(object.mesh()).radius == 0,
+                "scene: the bounding sphere of an object is a point: it was made before its mesh");
   if (!camera.place(object.position, object.rotation, object.scale, slot.transform)) return false;
   slot.object = &object;
   slot.sphere = clip_sphere(slot.transform, object.sphere());

@@ -3,6 +3,7 @@
 #include "benches.hpp"
 
 #include <arcspan/pixel/background.hpp>
+#include <arcspan/pixel/dither.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
@@ -133,6 +134,20 @@ TEMPLATE_TEST_CASE("a rectangle of the picture is drawn and sent, and nothing el
     test.note(next, all);
     test.check();
   }
+}
+
+TEST_CASE("a band is dithered by a framebuffer of the dithered format over its memory") {
+  using Dithers = Framebuffer<Dithered<Mono>>;
+  constexpr VerticalGradient kGradient{{0, 0, 0}, {255, 255, 255}, 64};
+  AreaBench<Ssd1306Bench> bench(Orientation::k0);
+  REQUIRE(ok(bench.mode.show([&](Framebuffer<Mono>& band) {
+    const Rect rows = band.bounds();
+    Dithers dithers(bench.band, rows.width(), rows.height(), rows.top);
+    return draw_background(dithers, kGradient);
+  })));
+  Dithers whole(bench.shown.memory, bench.bench.panel.width(), bench.bench.panel.height());
+  REQUIRE(ok(draw_background(whole, kGradient)));
+  bench.check();
 }
 
 TEST_CASE("two rectangles are sent as one if that takes no more pixels") {

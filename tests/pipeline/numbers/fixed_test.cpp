@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/numbers/fixed.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
+#include <arcspan/numbers/multiply_wide.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/support/random.hpp>
 #include <tests/support/test_share.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -113,6 +115,29 @@ TEST_CASE("products are rounded to nearest within the stated range") {
   CHECK(worst <= 0.5);
   CHECK(worst_floor <= 0.5);
   CHECK(multiply<Q30>(Q15::of(1.0), Q15::of(-1.0)).raw() == -(1 << 30));
+}
+
+TEST_CASE("wide products are rounded to nearest, and saturate") {
+  Random random(4711);
+  const auto check = [](std::int32_t a, std::int32_t b) {
+    const auto wanted = [&](int shift) {
+      const double exact = static_cast<double>(std::int64_t{a} * b / (1 << 10)) * 1024;  // within 2^10 of it
+      return std::ldexp(exact, -shift);
+    };
+    const double length = std::clamp(wanted(30), static_cast<double>(kMin), static_cast<double>(kMax));
+    const std::int32_t made = multiply_wide<WorldLength>(WorldLength::from_raw(a), Q30::from_raw(b)).raw();
+    REQUIRE(std::abs(made - length) <= 0.51);
+    const std::int16_t narrow = multiply_wide<Narrow>(WorldLength::from_raw(a), Q30::from_raw(b)).raw();
+    REQUIRE(std::abs(narrow - std::clamp(wanted(32), -32768.0, 32767.0)) <= 0.51);
+  };
+  for (const std::int32_t a : {kMin, kMin + 1, -1, 0, 1, kMax})
+    for (const std::int32_t b : {kMin, kMin + 1, -1, 0, 1, kMax}) check(a, b);
+  for (int i = 0; i < share_of(20000); ++i)
+    check(random.integer(kMin, kMax) >> (i % 31), random.integer(kMin, kMax));
+  // A step of 2 world units along an axis that is turned by 30 degrees.
+  CHECK(multiply_wide<WorldLength>(WorldLength::of(2), Q30::of(0.5)) == WorldLength::of(1));
+  CHECK(multiply_wide<Q4>(Q4::of(3.5), Q4::of(2)) == Q4::of(7));
+  CHECK(multiply_wide<Q15>(Q15::from_raw(-1), Q15::of(0.5)) == Q15{});  // halves upwards, as multiply()
 }
 
 TEST_CASE("conversion rounds to fewer bits and is exact to more") {

@@ -222,6 +222,13 @@ TEST_CASE("builds with checks report calls that cannot mean what they say") {
   CHECK(shown(kMesh, kCopper, Rotation::identity()).empty());
   CHECK(shown(kMesh, unmade, Rotation::identity()) == Causes{"draw: the light of an object was never made"});
   CHECK(shown(empty, kCopper, Rotation::identity()) == Causes{"draw: the mesh was never made"});
+  CHECK(causes_of([&] {
+          MeshView later;
+          const Object early(later, kCopper);  // as members of a class, the mesh of which load() makes
+          later = kMesh;
+          Canvas canvas;
+          (void)draw_scene({kCamera, kLights, {&early, 1}}, canvas.picture, canvas.depth, memory_of_scene);
+        }) == Causes{"scene: the bounding sphere of an object is a point: it was made before its mesh"});
   CHECK(shown(kMesh, kCopper, Rotation{}) == Causes{"scene: the rotation of an object is not orthonormal"});
   CHECK(causes_of([&] { Camera(kCamera).set_pose({}, Rotation{}); }) ==
         Causes{"Camera::set_pose: the rotation is not orthonormal"});

@@ -496,6 +496,21 @@ TEST_CASE("fog a thousandth of its distance thick is as exact", "[textures]") {
   CHECK(worst <= 1.5);
 }
 
+TEST_CASE("fog of another colour is that which make() makes of it", "[textures]") {
+  constexpr FogRange kRange{1000, 60000, 8000, 40000};
+  constexpr Rgb8 kNight{12, 20, 57};
+  Fog night;
+  Fog changed;
+  REQUIRE(ok(Fog::make(kRange, kNight, night)));
+  REQUIRE(ok(Fog::make(kRange, kFogColour, changed)));
+  changed.set_colour(kNight);
+  CHECK(changed.colour().lanes == PackedRgb::of(kNight).lanes);
+  CHECK(night.colour().lanes == PackedRgb::of(kNight).lanes);
+  CHECK(changed.spread_colour() == night.spread_colour());
+  for (std::uint32_t depth = 0; depth < 65536; depth += 13)
+    REQUIRE(changed.share(depth) == night.share(depth));
+}
+
 TEST_CASE("fog grows linearly with the distance of what is drawn", "[textures]") {
   const ClipTransform transform = camera();
   for (double w = kNear; w <= kFar; w += 61) {

@@ -231,6 +231,7 @@ TEST_CASE("the library reads the textures of the model binary that was written")
   const FixedModel model = to_fixed(load_model_file(kSign));
   const ModelTextures textures = make_textures(model, {find_texture_format("pal4").value()});
   REQUIRE(textures.textures.size() == 1);
+  CHECK(textures.bytes() == textures.textures[0].bytes());
   const std::string text = model_binary_file(model, textures);
   CHECK(text.size() == model_bytes(CompiledOutput::kBinary, model, false, textures));
   const std::vector<std::uint8_t> good(text.begin(), text.end());

@@ -206,6 +206,11 @@ TEST_CASE("the SSD0323 model knows its rows, its display lines and its reset") {
   CHECK(h.complains("too soon after reset"));
 }
 
+TEST_CASE("SSD0323: a glass that begins or ends within a byte is refused") {
+  for (const Glass& glass : {Glass{127, 64}, Glass{126, 64, 1}})
+    CHECK(Ssd0323Bench({}, glass).panel.start() == Status::kInvalidArgument);
+}
+
 TEST_CASE("the SSD1351 model keeps its locks") {
   Hand<sim::Ssd1351Model> h(kSsd1351Module);
   h.c({0xA2});

@@ -300,6 +300,9 @@ TEST_CASE("ink is refused without memory or out of range, and ends with smoothin
   const auto inked = bits;
   CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_OK);
   CHECK(bits == inked);
+  REQUIRE(arcspan_ink_outlines(seen.view, nullptr) == ARCSPAN_OK);
+  CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_UNSUPPORTED);
+  REQUIRE(arcspan_ink_outlines(seen.view, &ink) == ARCSPAN_OK);
   REQUIRE(arcspan_smooth_outlines(seen.view, nullptr, 0, nullptr) == ARCSPAN_OK);
   REQUIRE(arcspan_prepare(seen.view) == ARCSPAN_OK);
   CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_OK);

@@ -138,6 +138,8 @@ TEST_CASE("a character that fades from one clip to another is drawn from C with 
   const uint16_t walk = arcspan_find_clip(stage.character, "walk");
   const uint16_t stand = arcspan_find_clip(stage.character, "stand");
   const auto at_rest = stage.drawn();
+  arcspan_advance(stage.character, 0);
+  CHECK(stage.drawn() == at_rest);
   REQUIRE(arcspan_play(stage.character, walk, 0, ARCSPAN_REPEAT) == ARCSPAN_OK);
   expected.player.play(expected.animation.clip(walk));
   arcspan_set_speed(stage.character, ARCSPAN_LENGTH(1.5));
@@ -235,7 +237,8 @@ TEST_CASE("the box of a character contains its pose") {
   expected.pose();
   const arcspan_object object = arcspan_object_of(stage.character);
   REQUIRE(arcspan_set_angles(stage.scene, object, 0, 0, 0) == ARCSPAN_OK);
-  arcspan_box box;
+  constexpr std::int32_t kFar = 1 << 29;
+  arcspan_box box{{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}};  // what it held
   REQUIRE(arcspan_bounds(stage.scene, object, &box) == ARCSPAN_OK);
   std::int32_t low = INT32_MAX, high = INT32_MIN;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -285,7 +288,8 @@ TEST_CASE("a character that cannot be added changes nothing in a scene") {
   const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr, 0};
   CHECK(arcspan_add_character(scene, kWalker, kWalkerBytes, &gouraud, more.data(), room, &stage.character) ==
         ARCSPAN_UNSUPPORTED);
-  CHECK(arcspan_limits_of(scene, 0).objects == 0);
+  const arcspan_view_limits nothing = arcspan_limits_of(scene, 1);
+  CHECK((nothing.objects == 0 && nothing.vertices == 0 && arcspan_limits_of(scene, 0).vertices == 0));
   CHECK(stage.character == kept);
   CHECK(add(kWalker, kWalkerBytes, room, 1) == ARCSPAN_OK);                // at any address
   CHECK(add(kWalker, kWalkerBytes, room, 4) == ARCSPAN_BUFFER_TOO_SMALL);  // the scene is full
@@ -332,6 +336,9 @@ TEST_CASE("joints, morph targets and both move the vertices of a character") {
       chunks.erase(std::remove_if(chunks.begin(), chunks.end(),
                                   [](const auto& c) { return c.tag == "WGHT" || c.tag == "BNDS"; }),
                    chunks.end());
+      const auto parts =
+          std::find_if(chunks.begin(), chunks.end(), [](const auto& c) { return c.tag == "PART"; });
+      parts->bytes.at(31) = 100;  // at rest a radius of 100 x 256
     }
     const auto file = test::file_of(chunks);
     const arcspan_scene_limits limits{1, 1};

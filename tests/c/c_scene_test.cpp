@@ -225,6 +225,10 @@ TEST_CASE("a drag turns the nearest point of an object with it") {
   const arcspan_quaternion back = arcspan_dragged(balls.view, right, -16, 0);
   CHECK(std::abs(back.y) <= 256);  // 18 fraction bits of the sides of the picture
   CHECK(arcspan_dragged(balls.view, none, INT32_MIN, INT32_MAX).w != 0);
+  // Its up is -z, its right -y.
+  REQUIRE(arcspan_set_camera(balls.view, &kLens, {ARCSPAN_LENGTH(4), 0, 0}, {0, 0, 0}, {0, 0, -7}) ==
+          ARCSPAN_OK);
+  CHECK(arcspan_dragged(balls.view, none, 16, 0).z < 0);
 }
 
 TEST_CASE("the rectangle of a frame is that of the pixels that change") {

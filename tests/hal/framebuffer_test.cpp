@@ -54,8 +54,17 @@ TEST_CASE("a sink refuses damage of another size, and a panel is sent none") {
   CHECK(status(16, 12) == Status::kOk);
   CHECK(status(15, 12) == Status::kInvalidArgument);
   CHECK(status(16, 11) == Status::kInvalidArgument);
+  for (const std::int32_t size : {-1, 65536}) {
+    CHECK(hal::Damage(extents, size, 1).status() == Status::kInvalidArgument);
+    CHECK(hal::Damage(extents, 1, size).status() == Status::kInvalidArgument);
+  }
   hal::Damage damage(extents, 16, 12);
   CHECK(damage.changed_area(-5, 100) == Rect{0, 0, 16, 12});
+  for (int frame = 0; frame < 2; ++frame) damage.begin_frame();
+  damage.mark({3, 15, 2});  // not inside the picture
+  CHECK(damage.changed_area(0, 12).empty());
+  damage.mark({3, 15, 1});
+  CHECK(damage.changed_area(0, 12) == Rect{15, 3, 16, 4});
   Framebuffer<Rgb565> broken(memory, 17, 4, 8);
   CHECK(hal::DamageSink(broken, damage).status() == Status::kBufferTooSmall);
 }

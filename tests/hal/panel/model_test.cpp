@@ -5,6 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <vector>
+
 using namespace arcspan;
 using namespace arcspan::hal;
 using namespace arcspan::hal::bench;
@@ -125,6 +128,18 @@ TEST_CASE("the DCS model complains about everything that the datasheet forbids")
     h.c({0x00});
     CHECK(h.complains("too soon after reset"));
   }
+  SECTION("a reset out of sleep, long after the last command") {
+    h.c({0x51});
+    h.d({9});
+    CHECK(h.device.brightness() == 9);
+    h.wait_ms(1000);
+    h.device.reset_line(Level::kLow, h.now);
+    h.device.reset_line(Level::kHigh, h.now += 10'000);
+    CHECK(h.device.brightness() == 0);
+    h.wait_ms(6);
+    h.c({0x11});
+    CHECK(h.complains("less than 120 ms"));
+  }
   SECTION("what is no command") {
     h.c({0xCC});
     CHECK(h.complains("unknown command 0xcc"));
@@ -165,10 +180,20 @@ TEST_CASE("the SSD0323 model knows its rows, its display lines and its reset") {
   CHECK(h.device.picture().at(0, 64) == Rgb8{});  // 64 lines
   h.d({0});
   CHECK(h.complains("more pixels"));
+  h.c({0x75, 1, 1, 0x15, 0, 0});  // in either order
+  h.d({0x0F});
+  CHECK(h.device.picture().at(0, 0) == Rgb8{});
+  CHECK(h.device.picture().at(0, 1) == Rgb8{255, 255, 255});
+  h.c({0xA1, 1});  // moves the memory, not the lines
+  CHECK(h.device.picture().at(0, 0) == Rgb8{255, 255, 255});
+  CHECK(h.device.picture().at(0, 79) == Rgb8{});
+  h.c({0xA1, 0});
   h.c({0x15, 0, 0, 0x75, 0, 0});
   h.d({0xF0});
   h.c({0xA0, 0x52, 0xA2, 0x40});  // COMs from 79 down, of which the first of 64 lines is 63
   CHECK(h.device.picture().at(0, 63) == Rgb8{255, 255, 255});
+  const sim::Picture moved = h.device.picture();
+  for (std::int32_t x = 0; x < 128; ++x) CHECK(moved.at(x, 79) == Rgb8{});  // still 64 lines
   h.c({0xCC});
   CHECK(h.complains("unknown command 0xcc"));
   h.device.reset_line(Level::kLow, h.now);
@@ -179,6 +204,11 @@ TEST_CASE("the SSD0323 model knows its rows, its display lines and its reset") {
   CHECK(h.device.brightness() == 0x40);
   h.c({0xE3});
   CHECK(h.complains("too soon after reset"));
+}
+
+TEST_CASE("SSD0323: a glass that begins or ends within a byte is refused") {
+  for (const Glass& glass : {Glass{127, 64}, Glass{126, 64, 1}})
+    CHECK(Ssd0323Bench({}, glass).panel.start() == Status::kInvalidArgument);
 }
 
 TEST_CASE("the SSD1351 model keeps its locks") {
@@ -204,6 +234,55 @@ TEST_CASE("the SSD1351 model keeps its locks") {
   h.c({0x15});
   h.c({0x5C});
   CHECK(h.complains("was cut short"));
+}
+
+TEST_CASE("the SSD1351 model takes a window in either order") {
+  Hand<sim::Ssd1351Model> h(kSsd1351Module);
+  const auto send = [&h](int command, std::initializer_list<int> bytes) {
+    h.c({command});
+    h.d(bytes);
+  };
+  send(0xFD, {0x12});
+  h.c({0xAF});
+  send(0xA0, {0x60});
+  std::vector<sim::Picture> pictures;
+  for (const int byte : {0xFF, 0}) {
+    if (byte == 0) send(0x15, {3, 3});
+    send(0x75, {5, 5});
+    if (byte != 0) send(0x15, {3, 3});
+    send(0x5C, {byte, byte});
+    pictures.push_back(h.device.picture());
+  }
+  int different = 0;
+  for (std::size_t i = 0; i < pictures[0].pixels.size(); ++i)
+    different += pictures[0].pixels[i] == Rgb8{255, 255, 255} && pictures[1].pixels[i] == Rgb8{} ? 1 : 0;
+  CHECK(different == 1);
+  CHECK_FALSE(h.complains(""));
+}
+
+TEST_CASE("what arrives of a transfer that is given up, or has a fault, is what was sent until then") {
+  const std::array<std::uint8_t, 8> bytes{};
+  sim::SimulatedClock clock;
+  sim::Ssd1306Model device(kSsd1306Module);
+  clock.advance_ns(10'000'000);
+  sim::SimulatedSpi spi(device, clock, 100'000);
+  REQUIRE(spi.start(bytes) == Status::kOk);
+  CHECK(spi.wait(clock, 250) == Status::kTimeout);
+  CHECK(spi.count().bytes == 3);
+  sim::SimulatedI2c i2c(device, 0x3C, clock, 400'000);
+  i2c.inject({sim::Fault::Kind::kFailed, 3});
+  CHECK(i2c.write(0x3C, bytes) == Status::kTransferFailed);
+  CHECK(i2c.count().bytes == 4);  // and the address
+}
+
+TEST_CASE("setting says what became of the transfer before it, and sends nothing after a failed one") {
+  Ssd1351Bench bench;
+  REQUIRE(bench.panel.start() == Status::kOk);
+  bench.bus.inject({sim::Fault::Kind::kFailed, 15});
+  const std::array<std::uint8_t, 128> wire{};
+  REQUIRE(bench.panel.start_write({0, 0, 8, 8}, wire) == Status::kOk);
+  CHECK(bench.panel.set({.brightness = 7}) == Status::kTransferFailed);
+  CHECK(bench.device.brightness() != 7);
 }
 
 TEST_CASE("the simulated bus complains if bytes or D/C change under a transfer") {

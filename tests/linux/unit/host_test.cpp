@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/linux_host/file_descriptor.hpp>
 #include <arcspan/linux_host/framebuffer/framebuffer_device.hpp>
 #include <arcspan/linux_host/gpio/line_name.hpp>
 #include <arcspan/linux_host/gpio_pin.hpp>
@@ -37,6 +38,17 @@ TEST_CASE("addresses of lines are distinguished from names") {
     CAPTURE(name);
     CHECK_FALSE(parse_line_address(name).has_value());
   }
+  LineAddress found;
+  CHECK(ok(gpio::find_line_address("gpiochip0:25", found)));
+  CHECK(found == LineAddress{"/dev/gpiochip0", 25});
+  CHECK(gpio::find_line_address("", found).status == Status::kInvalidArgument);
+}
+
+TEST_CASE("a descriptor is closed once, and its number may then be another's") {
+  FileDescriptor file = FileDescriptor::open_device("/dev/null");
+  REQUIRE(file.is_open());
+  file.close();
+  CHECK_FALSE(file.is_open());
 }
 
 TEST_CASE("devices that are none are refused, and stay closed") {
@@ -110,6 +122,9 @@ TEST_CASE("a delay is never shorter than asked, signals or not") {
 }
 
 TEST_CASE("signals wait until they are looked for, and act as before afterwards") {
+  // What a shell starts in the background ignores these, and an ignored signal would be waited for without
+  // end.
+  for (const int signal : {SIGINT, SIGQUIT, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
   {
     const Interruptions interruptions;
     SignalWatch signals;

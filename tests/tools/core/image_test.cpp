@@ -3,6 +3,7 @@
 
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/image/image_file.hpp>
+#include <arcspan_tools/image/rgba_image.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/temporary_folder.hpp>
@@ -220,6 +221,14 @@ TEST_CASE("every byte of a PNG is protected by its checksums, and every cut is n
     CHECK_THROWS_AS(read_image(folder.file("b.png", changed)), Failure);
     CHECK_THROWS_AS(read_image(folder.file("c.png", png.substr(0, i))), Failure);
   }
+}
+
+TEST_CASE("squares are seen through what is transparent only") {
+  RgbaImage image(2, 1);
+  image.pixels = {{255, 254, 1, 255}, {255, 254, 1, 0}};
+  const Image shown = on_squares(image);
+  CHECK(shown.at(0, 0) == Rgb8{255, 254, 1});
+  CHECK(shown.at(1, 0) == Rgb8{120, 120, 120});
 }
 
 TEST_CASE("a difference is measured per channel") {

@@ -202,6 +202,9 @@ TEST_CASE("frames in a folder appear all at once, or not at all") {
   format.frames = 1;
   CHECK(message_of<Failure>([&] { (void)make_frame_output(target, format); }) ==
         target + ": holds frame-0001.png of a longer animation; remove it first");
+  const std::string file = folder.file("file", "mine");
+  CHECK(message_of<Failure>([&] { (void)make_frame_output(file + "/", format); }) ==
+        file + "/: cannot write (it is no directory)");
 }
 
 TEST_CASE("an animation that no memory would hold is refused before it is drawn") {

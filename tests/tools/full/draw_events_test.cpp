@@ -77,6 +77,11 @@ TEST_CASE("the events of a picture are the spans and pixels that drawing it coun
         CHECK((compared < all) == (amount_of(*picture, "batch") > 0));
         CHECK(compared <= all);
         CHECK((compared > 0) == (all > 0));
+        const std::size_t with_rows = band_rows < 90 ? model.triangle_count() : 0;
+        CHECK(amount_of(*picture, "row triangle") == static_cast<double>(with_rows));
+        const double in_perspective = amount_of(*picture, "perspective span");
+        CHECK((in_perspective > 0) == !model.meshes[0].texture_points.empty());
+        CHECK(amount_of(*picture, "piece") >= in_perspective);
         CHECK(instructions_on(kSimulatedCore, *picture).value() > static_cast<double>(10 * stats.pixels));
       }
     }
@@ -187,6 +192,8 @@ TEST_CASE("the events of outlines are the edges and places that inking and smoot
         ++parts;
     }
     CHECK(amount("gap") == 0);
+    CHECK(amount("ink walk") > 0);
+    CHECK(amount("ink row") >= amount("ink walk"));
     CHECK(amount("ink pixel") >= static_cast<double>(whole));
     CHECK(amount("ink entry") >= static_cast<double>(parts));
     CHECK(amount("ink entry") < 1.5 * static_cast<double>(parts));

@@ -411,6 +411,18 @@ TEST_CASE("rigs: morph targets with normals, at the weights of the file and of a
   const Binary binary(fixed);
   CHECK(binary.animation.morph(0).target_count() == 1);
   CHECK(binary.animation.clip(0).channels().size() == 1);
+  const RuntimeModel in_integers(model, "rig");
+  CHECK(z(posed_like(model, in_integers.posed("", 0))) == Approx(1).margin(1e-3));
+  CHECK(z(posed_like(model, in_integers.posed("swell", 1))) == Approx(2).margin(1e-3));
+}
+
+TEST_CASE("rigs: primitives of a mesh with different numbers of morph targets are refused") {
+  GltfRig rig = morphed({0, 0, 0, 1, 0, 0, 1, 1, 0}, Floats(9));
+  json& primitives = rig.json["meshes"][0]["primitives"];
+  const json targets = {primitives[0]["targets"][0], primitives[0]["targets"][0]};
+  primitives.push_back(primitives[0]);
+  primitives[1]["targets"] = targets;
+  CHECK(complaint(rig).find("another number of morph targets than the first primitive") != std::string::npos);
 }
 
 TEST_CASE("rigs: what is wrong with an animation leaves it out, with the place") {
@@ -629,6 +641,9 @@ TEST_CASE("rigs: keys that linear interpolation gives within the tolerance are l
   CHECK(worst > 0.2);
   CHECK(thinned(channel, {}).keys() == 101);
   CHECK(thinned(turning(50, 0), {}).keys() == 1);
+  RigChannel negated = channel;  // q and -q are one rotation
+  for (std::size_t i = 0; i < negated.values.size(); ++i) negated.values[i] *= i / 4 % 2 == 0 ? 1 : -1;
+  CHECK(thinned(negated, {0.5, 0, 0}).keys() == few.keys());
 }
 
 TEST_CASE("rigs: keys are added where components do not interpolate a rotation well") {

@@ -187,6 +187,7 @@ TEST_CASE("scenes: FBX with pivots, a rotation before others, axes, units and a 
   // The loader library makes six nodes of one with a pivot. Those up to the rotation become one node; the
   // node that moves back by the pivot stays.
   CHECK(model.rig->nodes.size() == 3);
+  CHECK(model.rig->clips[0].channels.size() == 2);  // what keeps its place at rest has none
   const auto corners = [&](double time) {
     const MeshData mesh = in_pose(model, time).parts.at(0).mesh;
     std::vector<Vec3> places;

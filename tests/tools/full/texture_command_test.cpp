@@ -35,7 +35,8 @@ TEST_CASE("texture: a header, a binary, the error and the picture of both") {
   const Image picture = read_image(folder / "r.png");
   CHECK(picture.width == 2 * 256 + 8 + 8 + 128);
   CHECK(picture.height == 256);
-  CHECK(picture.at(255 + 8 + 8, 8).r > 200);  // the red tile of the texture
+  CHECK(picture.at(255 + 8 + 8, 8).r > 200);                    // the red tile of the texture
+  CHECK(picture.at(2 * (256 + 8) + 4, 4) == picture.at(4, 4));  // the next level
   CHECK(run("texture " + kTiles + " -o bin:- --format gray").out.starts_with("ARCT"));
   CHECK(header.find(".with") == std::string::npos);
   CHECK(run("texture " + kTiles + " -o bin:- --wrap clamp,mirror --filter bilinear").out.at(15) ==

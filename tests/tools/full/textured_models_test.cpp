@@ -231,6 +231,7 @@ TEST_CASE("the library reads the textures of the model binary that was written")
   const FixedModel model = to_fixed(load_model_file(kSign));
   const ModelTextures textures = make_textures(model, {find_texture_format("pal4").value()});
   REQUIRE(textures.textures.size() == 1);
+  CHECK(textures.bytes() == textures.textures[0].bytes());
   const std::string text = model_binary_file(model, textures);
   CHECK(text.size() == model_bytes(CompiledOutput::kBinary, model, false, textures));
   const std::vector<std::uint8_t> good(text.begin(), text.end());
@@ -269,6 +270,14 @@ TEST_CASE("mesh: textures in both forms, in any format, and left out") {
   CHECK(contents(folder / "big.bin").size() > contents(bin).size() + 2 * 64 * 32);
   REQUIRE(run("mesh " + kSign + " -o " + (folder / "none.hpp") + " --no-textures").status == 0);
   CHECK(contents(folder / "none.hpp").find("Texture") == std::string::npos);
+  (void)folder.file("a.mtl", "newmtl m\nmap_Kd wide.ppm\n");
+  (void)folder.file("wide.ppm", "P6 256 8 255\n" + std::string(256 * 8 * 3, 'a'));
+  CHECK(run("mesh " + folder.file("a.obj", kSquare + "g texture_1\nf 1/1 2/2 4/4\n") + " -o " +
+            (folder / "w.hpp"))
+            .out.find("  texture 1: 128x8 texels, pal8") != std::string::npos);
+  const std::string header = contents(folder / "w.hpp");
+  CHECK(header.find("namespace texture_1 {") != std::string::npos);
+  CHECK(header.find("namespace texture_1_2 {") != std::string::npos);
   const std::string lamp = ARCSPAN_MODELS "/lamp.obj";
   CHECK(run("mesh " + lamp + " -o " + (folder / "t.hpp") + " --texture " + kTiles).err ==
         "arcspan: " + lamp + ": has no texture coordinates for --texture\n");

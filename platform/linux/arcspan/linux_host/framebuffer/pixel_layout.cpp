@@ -33,7 +33,6 @@ Result read_colour(const fb_var_screeninfo& variable, PixelLayout& layout) {
       !read_channel(variable.blue, bits, layout.blue)) {
     return Result::refused("colour channels are not 1 to 8 bits inside the pixel");
   }
-  layout.kind = Kind::kColour;
   const fb_bitfield& alpha = variable.transp;
   if (alpha.length != 0 && alpha.offset < bits)
     layout.always = mask(alpha.length) << alpha.offset & mask(bits);

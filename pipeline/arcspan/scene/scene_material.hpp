@@ -9,6 +9,7 @@
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/scene/scene_light.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/shading/relight.hpp>
 #include <arcspan/shading/unlit.hpp>
 #include <arcspan/status.hpp>
 #include <arcspan/vertex/rotation.hpp>
@@ -115,6 +116,7 @@ class SceneMaterial {
   constexpr SceneMaterial(const detail::UseFacts& use, const DrawOptions& options)
       : use_(&use), options_(options) {}
   /// @endcond
+  constexpr void set_options(const DrawOptions& options) { options_ = options; }
 
  private:
   const detail::UseFacts* use_;
@@ -133,8 +135,9 @@ class PreparedMaterial : public SceneMaterial {
   using Method = typename Used::Method;
   using Lighting = typename Method::Lighting;
 
-  /// Prepares `material` for the lights of a scene. Their directions do not matter. Returns, and does not
-  /// change `prepared` unless kOk, kTooManyLights or the status of Illumination::make().
+  /// Prepares `material` for the lights of a scene. Their directions do not matter. A texture and the
+  /// parameters of an operation that `prepared` has stay. Returns, and does not change `prepared` unless kOk,
+  /// kTooManyLights or the status of Illumination::make().
   [[nodiscard]] static constexpr Status make(const Material& material, const LightList& lights,
                                              const DrawOptions& options, PreparedMaterial& prepared);
 
@@ -161,7 +164,7 @@ class PreparedMaterial : public SceneMaterial {
                                                                                 !Used::kChangingLight)
       : PreparedMaterial(lighting, options, Unchecked{}) {}
   /// Black. A place for make().
-  constexpr PreparedMaterial() : PreparedMaterial(Lighting{}, {}, Unchecked{}) {}
+  constexpr PreparedMaterial() : SceneMaterial(detail::kUseFacts<Used>, {}), lighting_{} {}
 
   [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
   /// Illumination::set_tolerance(), which is kDefaultTolerance after make() and of().
@@ -181,11 +184,16 @@ class PreparedMaterial : public SceneMaterial {
     }
   }
 
-  /// A copy with another texture (Textured), or with other parameters of an operation (WithOperation).
+  /// Changes the texture (Textured), or the parameters of an operation (WithOperation).
+  template <class Part>
+  constexpr void set(const Part& part) {
+    lighting_.set(part);
+  }
+  /// A copy with set().
   template <class Part>
   [[nodiscard]] constexpr PreparedMaterial with(const Part& part) const {
     PreparedMaterial copy = *this;
-    copy.lighting_.set(part);
+    copy.set(part);
     return copy;
   }
 
@@ -262,11 +270,12 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
   for (std::size_t i = 0; i < lights.lights.size(); ++i) {
     all[i] = {kAhead, lights.lights[i].strength(), lights.lights[i].colour()};
   }
-  Illumination illumination;
+  Illumination& illumination = prepared.lighting_;  // a copy takes 2 KB of stack
   status = Illumination::make(detail::under(lights.ambient, material), all, kAhead, illumination);
-  if (ok(status)) status = illumination.set_tolerance(kDefaultTolerance);
   if (!ok(status)) return status;
-  prepared = PreparedMaterial(Lighting(illumination), options, Unchecked{});
+  detail::relight(prepared.lighting_, illumination);
+  (void)prepared.set_tolerance(kDefaultTolerance);
+  prepared.set_options(options);
   prepared.made_for_.ambient = lights.ambient;
   if constexpr (kSingleLight) {
     prepared.made_for_.weights = detail::channel_weights(all[0]);
@@ -296,17 +305,12 @@ constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Li
     if constexpr (kSingleLight && Used::kChangingLight) {
       // A point light in the object's middle has no direction, which make() takes without a strength only.
       if (towards[0] == Direction{}) lights[0].strength = {};
-      Illumination illumination;
+      copy_words(lighting_, lighting);
+      Illumination& illumination = lighting;
       Status status = Illumination::make(detail::under(seen.ambient, made_for_.material), lights, seen.to_eye,
                                          illumination);
       if (ok(status)) status = illumination.set_tolerance(lighting_.tolerance());
-      if (!ok(status)) return status;
-      if constexpr (requires { lighting.relight(illumination); }) {
-        copy_words(lighting_, lighting);
-        lighting.relight(illumination);
-      } else {
-        lighting = Lighting(illumination);
-      }
+      if (ok(status)) detail::relight(lighting, illumination);
       return status;
     }
     return Status::kLightChanged;

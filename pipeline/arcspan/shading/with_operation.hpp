@@ -3,6 +3,7 @@
 
 #include <arcspan/pixel/pixel_operation.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/shading/relight.hpp>
 #include <arcspan/target.hpp>
 
 #include <concepts>
@@ -116,11 +117,7 @@ struct WithOperation : Coloured {
     /// Changes the light and keeps the rest.
     template <class L>
     constexpr void relight(const L& light) {
-      if constexpr (requires(Base & base) { base.relight(light); }) {
-        Base::relight(light);
-      } else {
-        static_cast<Base&>(*this) = Base(light);
-      }
+      detail::relight(static_cast<Base&>(*this), light);
     }
     Operation operation;
   };

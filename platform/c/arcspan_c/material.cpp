@@ -50,7 +50,7 @@ template <class Chosen>
   if constexpr (!std::is_void_v<Texels>) {
     Texture<Texels> texture;
     if (ok(status)) status = view_texture(source.texture, texture);
-    if (ok(status)) prepared = prepared.with(texture);
+    if (ok(status)) prepared.set(texture);
   }
   return status;
 }

@@ -36,6 +36,7 @@ constexpr std::array<TexturePoint, 4> kPoints{{{0, 8192}, {8192, 8192}, {8192, 0
 constexpr MeshView kWall = MeshView::of(kCorners, kNormals, kTriangles).with(kPoints, TextureScale{12});
 
 constexpr Coefficient kAll = Coefficient::of(1.0);
+constexpr Coefficient kHalf = Coefficient::of(0.5);
 constexpr Material kWhitePaint{{kAll, kAll, kAll}, {kAll, kAll, kAll}, {}, 8};
 constexpr SceneLight kLamp[] = {SceneLight::point(WorldPoint::of(1, 2, 3), WorldLength::of(3), kAll)};
 constexpr LightList kLampLight{kLamp, {Coefficient::of(0.1), Coefficient::of(0.1), Coefficient::of(0.1)}};
@@ -162,4 +163,24 @@ TEST_CASE("an environment map follows the camera and the rotation of each object
             Status::kOk);
   }
   CHECK(of_scene.pixels == of_meshes.pixels);
+}
+
+TEST_CASE("a material that is made again keeps its texture and its fog, and one that is refused stays") {
+  PreparedMaterial<Wall> made = kPainted;
+  constexpr Material kGreyPaint{{kHalf, kHalf, kHalf}, {kHalf, kHalf, kHalf}, {}, 8};
+  REQUIRE(ok(PreparedMaterial<Wall>::make(kGreyPaint, kLampLight, {.two_sided = true}, made)));
+  CHECK(made.lighting().ramp().back().lanes < kPainted.lighting().ramp().back().lanes);
+  CHECK(made.lighting().texture.at(0) == kChequers.data());
+  CHECK(made.lighting().operation.fog == &kMist);
+  CHECK(made.options().two_sided);
+  const SceneLight two[] = {kLamp[0], kLamp[0]};
+  CHECK(PreparedMaterial<Wall>::make(kWhitePaint, {two}, {}, made) == Status::kTooManyLights);
+  Material dazzling = kWhitePaint;
+  dazzling.diffuse.r = Coefficient::from_raw(-1);
+  CHECK(PreparedMaterial<Wall>::make(dazzling, kLampLight, {}, made) == Status::kInvalidArgument);
+  CHECK(made.options().two_sided);
+  REQUIRE(ok(PreparedMaterial<Wall>::make(kWhitePaint, kLampLight, {}, made)));
+  for (std::size_t i = 0; i < made.lighting().ramp().size(); ++i)
+    REQUIRE(made.lighting().ramp()[i].lanes == kPainted.lighting().ramp()[i].lanes);
+  CHECK_FALSE(made.options().two_sided);
 }

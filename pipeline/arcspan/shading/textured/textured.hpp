@@ -5,6 +5,7 @@
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/method.hpp>
+#include <arcspan/shading/relight.hpp>
 #include <arcspan/shading/textured/border_steps.hpp>
 #include <arcspan/shading/textured/level_arc.hpp>
 #include <arcspan/shading/textured/light_tables.hpp>
@@ -276,7 +277,7 @@ struct Textured : LightOn<Method, Colours> {
     /// Changes the light and keeps the texture.
     template <class L>
     constexpr void relight(const L& light) {
-      static_cast<typename Light::Lighting&>(*this) = typename Light::Lighting(light);
+      detail::relight(static_cast<typename Light::Lighting&>(*this), light);
       make_tables();
     }
     /// Illumination::set_toon(), in the tables, too.

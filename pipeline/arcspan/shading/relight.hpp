@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <type_traits>
+
+namespace arcspan::detail {
+
+/// Changes the light of a method's `lighting`, and keeps the rest. Where it can be without a copy on the
+/// stack, which takes 2 KB.
+template <class Lighting, class L>
+constexpr void relight(Lighting& lighting, const L& light) {
+  if constexpr (requires { lighting.relight(light); }) {
+    lighting.relight(light);
+  } else if constexpr (std::is_same_v<Lighting, L>) {
+    lighting = light;
+  } else {
+    lighting = Lighting(light);
+  }
+}
+
+}  // namespace arcspan::detail

@@ -206,7 +206,7 @@ static bool is_own_refresh(lv_event_t* e, const lv_arcspan_view_t* view) {
  * else. */
 static void lay_out(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
-  if (is_own_refresh(e, view) || !view->is_refreshing) lv_obj_update_layout(&view->obj);
+  if (is_own_refresh(e, view) || (view->changed && !view->is_refreshing)) lv_obj_update_layout(&view->obj);
 }
 
 static void before_refresh(lv_event_t* e) {

@@ -548,6 +548,10 @@ TEST_CASE("a view that is turned before its first layout turns the object for an
   lv_obj_update_layout(turning);
   screen.refresh();
   CHECK((screen.pixels == first));
+  lv_arcspan_view_set_scale(turning, ARCSPAN_LENGTH(1));
+  lv_arcspan_view_update(other);
+  screen.refresh();
+  CHECK((screen.pixels != first));
 }
 
 TEST_CASE("a hidden view does not turn the object that another one turns") {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/target.hpp>
+
 #include <cstdint>
 
 namespace arcspan {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/target.hpp>
+
 #include <type_traits>
 
 namespace arcspan::detail {

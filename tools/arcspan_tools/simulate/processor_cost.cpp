@@ -56,7 +56,8 @@ bool has_tint(const Material& material, const DirectionalLight& light) {
 template <class Method, class Light>
 void count_part(const RenderPart& part, const RenderJob& job, EventPicture& picture, DrawEvents& events) {
   const auto lighting = make_lighting<Method, Light>(part, job);
-  if constexpr (requires { lighting->texture; }) lighting->texture = part.texture->view;
+  if constexpr (requires { lighting->texture; })
+    lighting->texture = part.texture->view.with(TextureSampler{});  // estimated as one that repeats
   count_events<Method>(part, job.transform, *lighting, has_tint(part.material, job.lights[0]), picture,
                        events);
 }

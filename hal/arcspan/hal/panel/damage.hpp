@@ -128,7 +128,8 @@ template <PixelSink Target>
 class DamageSink {
  public:
   using Format = typename Target::Format;
-  /// Rows lie in memory if those of the target do: outlines are smoothed and inked in it, too.
+  /// Rows lie in memory if those of the target do: outlines are smoothed and inked in it, too. What is
+  /// written to a row() without close() is not marked.
   using RowsInMemory = std::conditional_t<SinkInMemory<Target>, DamageSink, void>;
   using FromFirstColumn = std::conditional_t<SinkFromFirstColumn<Target>, DamageSink, void>;
 

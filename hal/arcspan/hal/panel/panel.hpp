@@ -46,7 +46,8 @@ class Panel {
 
   /// Changes the settings. They are sent at once if the panel is awake, otherwise by the next wake() or
   /// start(). After a change of orientation the picture is scrambled until it is drawn again.
-  /// kInvalidArgument if a value is out of range; nothing is changed then.
+  /// kInvalidArgument if a value is out of range; nothing is changed then. After a failure the next
+  /// start_write() or sleep() sends them; a program that sends only what moves calls set() again.
   Status set(const PanelSettings& settings);
   [[nodiscard]] const PanelSettings& settings() const { return settings_; }
 
@@ -71,7 +72,7 @@ class Panel {
   Status finish();
 
   [[nodiscard]] bool awake() const { return state_ == State::kAwake; }
-  /// Whether a call failed, so that the next start_write() sends all settings first.
+  /// Whether a call failed after start(), and nothing has sent all settings since.
   [[nodiscard]] bool needs_configuration() const { return needs_configuration_; }
 
  protected:

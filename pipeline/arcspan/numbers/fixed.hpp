@@ -69,7 +69,7 @@ requires(F >= 0 && F < static_cast<int>(8 * sizeof(R))) class Fixed {
 };
 
 /// a * b in format `To`, rounded, by one 32-bit multiply. |a.raw() * b.raw()| must be below 2^31 less half a
-/// unit of the result; otherwise the result wraps.
+/// unit of the result; otherwise the result wraps (multiply_wide() takes any).
 template <class To, class A, class B>
 [[nodiscard]] constexpr To multiply(A a, B b) {
   constexpr int kShift = A::kFraction + B::kFraction - To::kFraction;

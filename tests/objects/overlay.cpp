@@ -23,6 +23,7 @@ using Icon = Palette4Texels<Alpha4Colour>;
   template Status draw_caption(Sink&, const Font<4>&, const Rect&, Utf8Text, const FilledText&,   \
                                HorizontalAlignment);                                              \
   template Status fill_rectangle(Sink&, const Rect&, Rgb8);                                       \
+  template Status fill_rectangle(Sink&, const Rect&, Rgb8, std::uint32_t);                        \
   template Status draw_frame(Sink&, const Rect&, Rgb8, std::int32_t);                             \
   template Status draw_line(Sink&, Point, Point, Rgb8);                                           \
   template Status draw_bitmap(Sink&, Point, const Bitmap<Icon>&);                                 \

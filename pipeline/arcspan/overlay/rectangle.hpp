@@ -4,6 +4,7 @@
 #include <arcspan/overlay/area.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/fill.hpp>
+#include <arcspan/pixel/mixed_pixels.hpp>
 #include <arcspan/pixel/sink.hpp>
 #include <arcspan/status.hpp>
 
@@ -28,6 +29,27 @@ template <PixelSink Sink>
 constexpr Status fill_rectangle(Sink& sink, const Rect& rect, Rgb8 colour) {
   if (const Status status = detail::status_of(sink); !ok(status)) return status;
   return detail::fill_within(sink, detail::intersection(rect, sink.bounds()), Sink::Format::encode(colour));
+}
+
+/// Mixes a colour into the pixels of a rectangle: `opacity` 32nds of it, at most all, and the rest of what is
+/// there. For panes behind text, and fades. Formats of few levels show it coarsely: Mono black or white.
+/// Returns as fill_rectangle() does.
+template <PixelSink Sink>
+constexpr Status fill_rectangle(Sink& sink, const Rect& rect, Rgb8 colour, std::uint32_t opacity) {
+  using Format = typename Sink::Format;
+  if (const Status status = detail::status_of(sink); !ok(status)) return status;
+  const Rect part = detail::intersection(rect, sink.bounds());
+  if (part.empty()) return Status::kOk;
+  const typename Format::Encoded encoded = Format::encode(colour);
+  const std::uint32_t share = opacity < 32 ? opacity : 32;
+  for (std::int32_t y = part.top; y < part.bottom; ++y) {
+    const Span run{y, part.left, part.right - part.left};
+    typename Format::Cursor cursor = sink.open(run);
+    for (std::int32_t left = run.count; left > 0; --left, cursor.next())
+      cursor.write(arcspan::detail::mixed_pixels<Format>(cursor.read(), encoded, share));
+    if (const Status status = sink.close(run); !ok(status)) return status;
+  }
+  return Status::kOk;
 }
 
 /// Draws the border of a rectangle, `thickness` pixels wide and within it; no pixel is drawn twice. With a

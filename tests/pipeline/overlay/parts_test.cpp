@@ -52,6 +52,7 @@ void draw_all(Sink& sink, std::uint64_t seed) {
   const Rgb8 a = colour();
   const Rgb8 b = colour();
   done(fill_rectangle(sink, rect(), a));
+  done(fill_rectangle(sink, rect(), b, random.bits() % 40));
   done(draw_caption(sink, plain_font().font, rect(), kText, b, alignment));
   done(draw_caption(sink, smooth_font().font, rect(), kText, a, alignment));
   done(draw_frame(sink, rect(), a, random.integer(1, 4)));

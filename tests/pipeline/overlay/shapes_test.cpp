@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan/draw_lines.hpp>
+#include <arcspan/hal/framebuffer.hpp>
 #include <arcspan/overlay/line.hpp>
 #include <arcspan/overlay/needle.hpp>
 #include <arcspan/overlay/rectangle.hpp>
+#include <arcspan/pixel/gray4.hpp>
 #include <arcspan/pixel/gray8.hpp>
+#include <arcspan/pixel/rgb565.hpp>
+#include <arcspan/pixel/xrgb8888.hpp>
 
 #include <catch2/catch.hpp>
 #include <tests/pipeline/overlay/overlay_support.hpp>
@@ -11,8 +15,11 @@
 #include <tests/support/strict_sink.hpp>
 #include <tests/support/test_share.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 using namespace arcspan;
 using namespace arcspan::overlay;
@@ -77,6 +84,30 @@ TEST_CASE("rectangles are filled and framed, each pixel once") {
       CHECK(sink.faults().outside == 0);
     }
   }
+}
+
+TEMPLATE_TEST_CASE("rectangles of some opacity mix their colour with what is there", "", Rgb565, Xrgb8888,
+                   Gray4) {
+  std::array<typename TestType::Word, hal::Framebuffer<TestType>::words(8, 4)> words{};
+  hal::Framebuffer<TestType> frame(words, 8, 4);
+  const double step = std::is_same_v<TestType, Gray4>    ? 17
+                      : std::is_same_v<TestType, Rgb565> ? 255.0 / 63
+                                                         : 1;
+  const double colour = TestType::decode(TestType::encode(Rgb8{30, 30, 30})).g;
+  for (std::uint32_t opacity = 0; opacity <= 40; ++opacity) {
+    frame.clear({200, 200, 200});
+    const double before = frame.pixel(0, 0).g;
+    REQUIRE(ok(fill_rectangle(frame, {2, 1, 90, 3}, {30, 30, 30}, opacity)));
+    const double share = std::min(opacity, 32u) / 32.0;
+    for (std::int32_t y = 0; y < 4; ++y) {
+      for (std::int32_t x = 0; x < 8; ++x) {
+        const bool within = x >= 2 && y >= 1 && y < 3;
+        const double expected = within ? before + share * (colour - before) : before;
+        CHECK(frame.pixel(x, y).g == Approx(expected).margin(within ? step : 0));
+      }
+    }
+  }
+  CHECK(fill_rectangle(frame, {3, 3, 3, 4}, {}, 9) == Status::kOk);
 }
 
 TEST_CASE("lines have the pixels that their definition says, in both directions") {

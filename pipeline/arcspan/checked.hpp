@@ -15,7 +15,7 @@
 ///                      or, since it was moved to another band, any that is not 0xFFFF
 ///                      a material or a billboard whose texture was not given
 ///                      a texture that does not repeat, given to a method that repeats all
-///                      a mesh, transform or illumination that was never made, a mesh after its object
+///                      a mesh, transform or illumination never made, or a mesh made after its object
 ///   framebuffers       open() of a run, or pixel(), outside of bounds()
 ///   set-up             a rotation that is not orthonormal, a direction to a light or to the eye that is not
 ///                      a unit vector; part() of a number that a model does not have

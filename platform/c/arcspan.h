@@ -233,8 +233,8 @@ void arcspan_advance(arcspan_character* character, uint32_t microseconds);
 
 /* The first node (bone) of this name, or ARCSPAN_NONE. */
 uint16_t arcspan_find_node(const arcspan_character* character, const char* name);
-/* Where a node is in the pose of the last arcspan_advance(), in the world, saturated: with arcspan_project(),
- * the place of a label. Returns ARCSPAN_INVALID_ARGUMENT if there is no such node. */
+/* The position in the world, saturated, of a node as the last arcspan_advance() posed it; arcspan_project()
+ * then places a label. Returns ARCSPAN_INVALID_ARGUMENT if there is no such node. */
 arcspan_status arcspan_node_position(const arcspan_character* character, uint16_t node,
                                      arcspan_point* position);
 /* Moves and turns an object to where a node is in the pose: something that the character holds. Its scale

@@ -201,9 +201,8 @@ static bool is_own_refresh(lv_event_t* e, const lv_arcspan_view_t* view) {
   return lv_event_get_current_target(e) == lv_obj_get_display(&view->obj);
 }
 
-/* Before any view prepares its frame: layouts may change sizes, and views of any display may show the object
- * that the view turns if it has a size. Events of a layout may delete the view, so lay_out() does nothing
- * else. */
+/* Before any view prepares its frame: layouts may change sizes, and a view without a size does not turn its
+ * object, which views of any display may show. Events of a layout may delete the view: nothing follows it. */
 static void lay_out(lv_event_t* e) {
   lv_arcspan_view_t* const view = lv_event_get_user_data(e);
   if (is_own_refresh(e, view) || (view->changed && !view->is_refreshing)) lv_obj_update_layout(&view->obj);

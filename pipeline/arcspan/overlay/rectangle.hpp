@@ -31,9 +31,8 @@ constexpr Status fill_rectangle(Sink& sink, const Rect& rect, Rgb8 colour) {
   return detail::fill_within(sink, detail::intersection(rect, sink.bounds()), Sink::Format::encode(colour));
 }
 
-/// Mixes a colour into the pixels of a rectangle: `opacity` 32nds of it, at most all, and the rest of what is
-/// there. For panes behind text, and fades. Formats of few levels show it coarsely: Mono black or white.
-/// Returns as fill_rectangle() does.
+/// Mixes `opacity` 32nds of a colour, at most 32, into the pixels of a rectangle: for panes behind text, and
+/// fades. With few levels it changes in steps; Mono flips at about half. Returns as without `opacity`.
 template <PixelSink Sink>
 constexpr Status fill_rectangle(Sink& sink, const Rect& rect, Rgb8 colour, std::uint32_t opacity) {
   using Format = typename Sink::Format;

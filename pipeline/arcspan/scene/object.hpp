@@ -24,8 +24,8 @@ struct Part {
 /// object without moving parts can be a constant in flash. The members may be changed between frames.
 class Object {
  public:
-  /// An object of one material. Its bounding sphere is computed from all vertices, now, unless it is given: a
-  /// mesh that is made later would be left out of most bands and views.
+  /// An object of one material. Its bounding sphere is computed here from all vertices: make the mesh first,
+  /// or most bands and views leave the object out.
   constexpr Object(const MeshView& mesh, const SceneMaterial& material, const WorldPoint& at = {})
       : Object(mesh, material, arcspan::bounding_sphere(mesh)) {
     position = at;

@@ -135,8 +135,8 @@ class PreparedMaterial : public SceneMaterial {
   using Method = typename Used::Method;
   using Lighting = typename Method::Lighting;
 
-  /// Prepares `material` for the lights of a scene. Their directions do not matter. A texture and the
-  /// parameters of an operation that `prepared` has stay. Returns, and does not change `prepared` unless kOk,
+  /// Prepares `material` for the lights of a scene. Their directions do not matter. Keeps the texture,
+  /// and the parameters of an operation, of `prepared`. Returns, and does not change `prepared` unless kOk,
   /// kTooManyLights or the status of Illumination::make().
   [[nodiscard]] static constexpr Status make(const Material& material, const LightList& lights,
                                              const DrawOptions& options, PreparedMaterial& prepared);
@@ -189,7 +189,7 @@ class PreparedMaterial : public SceneMaterial {
   constexpr void set(const Part& part) {
     lighting_.set(part);
   }
-  /// A copy with set().
+  /// A copy changed by set().
   template <class Part>
   [[nodiscard]] constexpr PreparedMaterial with(const Part& part) const {
     PreparedMaterial copy = *this;

@@ -7,8 +7,8 @@
 
 namespace arcspan::detail {
 
-/// Changes the light of a method's `lighting`, and keeps the rest. Where it can be without a copy on the
-/// stack, which takes 2 KB.
+/// Changes the light of a method's `lighting` and keeps the rest, where possible without a copy of 2 KB on
+/// the stack.
 template <class Lighting, class L>
 constexpr void relight(Lighting& lighting, const L& light) {
   if constexpr (requires { lighting.relight(light); }) {

@@ -25,12 +25,12 @@ namespace {
   return *character.scene.parts_of(character.object).data();
 }
 
-/// A node within the turned body.
-[[nodiscard]] Placement place_of(const arcspan_character& character, uint16_t node) {
+/// A node's axes in the world; its offset from the body in object units.
+[[nodiscard]] Placement turned_node(const arcspan_character& character, uint16_t node) {
   return attached({body_of(character).rotation, {}}, character.nodes[node]);
 }
 
-[[nodiscard]] WorldPoint world_of(const arcspan_character& character, const Placement& place) {
+[[nodiscard]] WorldPoint node_position(const arcspan_character& character, const Placement& place) {
   const Object& body = body_of(character);
   return {sum(body.position.x, place.translation[0], body.scale),
           sum(body.position.y, place.translation[1], body.scale),
@@ -118,8 +118,8 @@ uint16_t arcspan_find_node(const arcspan_character* character, const char* name)
 arcspan_status arcspan_node_position(const arcspan_character* character, uint16_t node,
                                      arcspan_point* position) {
   if (node >= character->nodes.size()) return ARCSPAN_INVALID_ARGUMENT;
-  const Placement place = place_of(*character, node);
-  const WorldPoint at = world_of(*character, place);
+  const Placement place = turned_node(*character, node);
+  const WorldPoint at = node_position(*character, place);
   *position = {at.x.raw(), at.y.raw(), at.z.raw()};
   return ARCSPAN_OK;
 }
@@ -128,10 +128,10 @@ arcspan_status arcspan_attach(const arcspan_character* character, uint16_t node,
   const std::span<Object> held = character->scene.parts_of(object);
   if (node >= character->nodes.size() || held.empty() || object == character->object)
     return ARCSPAN_INVALID_ARGUMENT;
-  const Placement place = place_of(*character, node);
+  const Placement place = turned_node(*character, node);
   for (Object& part : held) {
     part.rotation = place.rotation;
-    part.position = world_of(*character, place);
+    part.position = node_position(*character, place);
   }
   return ARCSPAN_OK;
 }

@@ -161,7 +161,7 @@ TEST_CASE("a forecast says that borders of textures are not in it") {
     const CommandRun done =
         run("mesh " + (folder / "sign.obj") + " -o " + (folder / "a.bin") + " --forecast");
     REQUIRE(done.status == 0);
-    return done.out.find("borders of textures are not in it") != std::string::npos;
+    return done.out.find("textures that do not repeat take") != std::string::npos;
   };
   CHECK(says("on"));
   CHECK_FALSE(says("off"));

@@ -152,8 +152,8 @@ TEST_CASE(
   CHECK(without("--shading phong") == "drawing: no figures of phong shading on a Cortex-M3");
   CHECK(without("--light 1,0,0 --light 0,1,0") == "drawing: no figures of several lights on a Cortex-M3");
   CHECK(without("--fog 1,9") == "drawing: no figures of textures and effects on a Cortex-M3");
-  CHECK(
-      without("--shading segment --no-dither").ends_with("; flat faces by segment take up to a fifth more)"));
+  CHECK(without("--shading segment --no-dither")
+            .ends_with("; flat faces by segment take up to a quarter more)"));
   CHECK(without("--no-depth").ends_with("; with a depth buffer: without one it takes less)"));
   CHECK(without("--toon 4") == "drawing: no figures of toon light on a Cortex-M3");
   CHECK(without("--no-dither --highlight-fade 0.3").ends_with("; without the fade of highlights)"));

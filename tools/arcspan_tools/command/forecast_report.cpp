@@ -60,7 +60,7 @@ std::string to_text(const Forecast& f) {
   }
   text +=
       "  mostly within 5 % of a program with one method and one kind of mesh, 7 % of others, as measured\n";
-  if (f.borders) text += "  borders of textures are not in it, up to 45 instructions per pixel\n";
+  if (f.borders) text += "  textures that do not repeat take up to 45 instructions more per pixel\n";
   if (f.morphs) text += "  morph targets are not in it\n";
   return text + formatted(
                     "  flash: %zu bytes of model, and the program; RAM: %zu bytes of colours and depths, or "

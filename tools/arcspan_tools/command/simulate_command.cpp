@@ -209,7 +209,7 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
 std::string assumptions(const SimulateArguments& arguments, const Totals& totals) {
   std::string text;
   if (totals.grey) text += "; textures in grey light";
-  if (arguments.options.shading == "segment") text += "; flat faces by segment take up to a fifth more";
+  if (arguments.options.shading == "segment") text += "; flat faces by segment take up to a quarter more";
   if (totals.borders) text += "; for textures that repeat: others take up to 45 instructions more a pixel";
   if (arguments.options.plays()) text += "; without posing, see mesh --forecast";
   if (totals.other_pixels)

@@ -62,7 +62,7 @@ struct DrawEvents {
   double perspective_spans = 0;
   double pieces = 0;      ///< of rows that are linear in a texture in perspective
   double new_levels = 0;  ///< pieces that change the mip level
-  double bilinear = 0;    ///< texels of a bilinear filter in pixels written
+  double bilinear = 0;    ///< pixels written with bilinear texels
   double shiny = 0;       ///< pixels written with a highlight
   double tinted = 0;      ///< pixels of Arc within the reach of a highlight that is coloured or black
   std::array<Path, kPaths> small{};

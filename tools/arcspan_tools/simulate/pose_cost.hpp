@@ -18,10 +18,10 @@ struct PoseAmounts {
 };
 
 /// The amounts for a picture of `posed`, which is `model` in a pose, from `eye`, by a method: positions of
-/// all vertices, and normals of those of front faces. `shaded` is how often a normal was shaded, more often
-/// than that where backs are drawn, which keep nothing. Flat shading takes no normals of vertices, but the
-/// positions of the faces that it shades once more: there are `shaded`, fewer than front faces where small
-/// ones have no pixel. Morph targets are not counted. `model` has its animation.
+/// all vertices, and normals of those of front faces. `shaded` is how many normals were shaded: more
+/// where backs are drawn, which shade each corner anew. With flat shading it counts faces: they take no
+/// normals of vertices, but the positions of their corners once more, and are fewer than front faces where
+/// small ones have no pixel. Morph targets are not counted. `model` has its animation.
 [[nodiscard]] PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 eye,
                                        std::string_view shading, double shaded);
 

@@ -105,7 +105,7 @@ void draw_hidden(DrawEvents& events) {
   }
 }
 
-/// Methods are counted by their nearest texels; four that are mixed draw the same pixels.
+/// Events are counted with the nearest texel: a bilinear filter draws the same pixels.
 void count_bilinear(const RenderPart& part, DrawEvents& events) {
   if (part.texture == nullptr || part.texture->view.sampler().filter != TextureFilter::kBilinear) return;
   for (const auto* paths : {&events.small, &events.large, &events.perspective}) {

@@ -73,7 +73,7 @@ class PageMode {
     if (damage.width() != panel_.width() || damage.height() != panel_.height())
       return Status::kInvalidArgument;
     damage.set_orientation(panel_.settings().orientation);
-    // Without a change nothing would be sent, and so no settings after set() has failed.
+    // Else an unchanged frame would send nothing, not even the settings of a set() that failed.
     if (panel_.needs_configuration()) damage.mark_everything();
     damage.begin_frame();
     const Status status = for_each_band(

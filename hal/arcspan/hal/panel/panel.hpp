@@ -47,7 +47,7 @@ class Panel {
   /// Changes the settings. They are sent at once if the panel is awake, otherwise by the next wake() or
   /// start(). After a change of orientation the picture is scrambled until it is drawn again.
   /// kInvalidArgument if a value is out of range; nothing is changed then. After a failure the next
-  /// start_write() or sleep() sends them; a program that sends only what moves calls set() again.
+  /// start_write() or sleep() sends them; if none may follow soon, call set() again.
   Status set(const PanelSettings& settings);
   [[nodiscard]] const PanelSettings& settings() const { return settings_; }
 
@@ -72,7 +72,7 @@ class Panel {
   Status finish();
 
   [[nodiscard]] bool awake() const { return state_ == State::kAwake; }
-  /// Whether a call failed after start(), and nothing has sent all settings since.
+  /// Whether a call failed, and the next start_write() or sleep() sends all settings first.
   [[nodiscard]] bool needs_configuration() const { return needs_configuration_; }
 
  protected:

@@ -24,7 +24,7 @@ struct ModelTextures {
 /// layout with alpha bits; the opacity of others is left out. Throws Failure as make_texture() does.
 [[nodiscard]] ModelTextures make_textures(const FixedModel& model, const TextureOptions& options);
 
-/// The model with the textures that were made of its own, in their sizes and with their levels.
+/// The model with its textures as `made` holds them, in their sizes and with their levels.
 [[nodiscard]] FixedModel with_made_textures(FixedModel model, const ModelTextures& made);
 
 }  // namespace arcspan::tools

@@ -283,6 +283,10 @@ TEST_CASE("setting says what became of the transfer before it, and sends nothing
   REQUIRE(bench.panel.start_write({0, 0, 8, 8}, wire) == Status::kOk);
   CHECK(bench.panel.set({.brightness = 7}) == Status::kTransferFailed);
   CHECK(bench.device.brightness() != 7);
+  CHECK(bench.panel.needs_configuration());
+  CHECK(bench.panel.set({.brightness = 7}) == Status::kOk);
+  CHECK(bench.device.brightness() == 7);
+  CHECK_FALSE(bench.panel.needs_configuration());  // all of it has just been sent
 }
 
 TEST_CASE("the simulated bus complains if bytes or D/C change under a transfer") {

@@ -122,8 +122,7 @@ TEST_CASE("a delay is never shorter than asked, signals or not") {
 }
 
 TEST_CASE("signals wait until they are looked for, and act as before afterwards") {
-  // What a shell starts in the background ignores these, and an ignored signal would be waited for without
-  // end.
+  // Background jobs of a shell ignore these signals, and waiting for an ignored one never ends.
   for (const int signal : {SIGINT, SIGQUIT, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
   {
     const Interruptions interruptions;

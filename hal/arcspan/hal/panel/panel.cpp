@@ -21,7 +21,7 @@ Status Panel::remember_failure(Status status) {
   return status;
 }
 
-Status Panel::reconfigure_after_failure() {
+Status Panel::configure_if_needed() {
   if (!needs_configuration_) return Status::kOk;
   const Status status = do_configure();
   if (ok(status)) needs_configuration_ = false;
@@ -43,7 +43,7 @@ Status Panel::start() {
 Status Panel::sleep() {
   if (state_ == State::kUnknown) return Status::kNotReady;
   Status status = finish();
-  if (ok(status)) status = reconfigure_after_failure();
+  if (ok(status)) status = configure_if_needed();
   if (ok(status)) status = do_sleep();
   // After a failure the controller may be awake or asleep. wake() recovers from both.
   state_ = State::kAsleep;
@@ -67,14 +67,14 @@ Status Panel::set(const PanelSettings& settings) {
   Status status = finish();
   settings_ = settings;
   if (state_ != State::kAwake) return status;
-  if (ok(status)) status = do_configure();
-  return remember_failure(status);
+  needs_configuration_ = true;
+  return ok(status) ? configure_if_needed() : status;
 }
 
 Status Panel::start_write(const Rect& area, std::span<const std::uint8_t> wire) {
   if (state_ != State::kAwake) return Status::kNotReady;
   if (!inside(area, bounds()) || !do_takes(area, wire.size())) return Status::kInvalidArgument;
-  Status status = reconfigure_after_failure();
+  Status status = configure_if_needed();
   if (ok(status)) status = do_open_window(area);
   if (ok(status)) status = do_start_pixels(wire);
   return remember_failure(status);

@@ -72,7 +72,7 @@ class Panel {
   Status finish();
 
   [[nodiscard]] bool awake() const { return state_ == State::kAwake; }
-  /// Whether a call failed, and the next start_write() or sleep() sends all settings first.
+  /// Whether the next start_write() or sleep() sends all settings first, because a call failed.
   [[nodiscard]] bool needs_configuration() const { return needs_configuration_; }
 
  protected:
@@ -110,7 +110,7 @@ class Panel {
   /// Returns `status`; after a failure that may have reached the controller, also sets needs_configuration_.
   Status remember_failure(Status status);
   /// Sends all settings if needs_configuration_ is set, and clears it on success.
-  Status reconfigure_after_failure();
+  Status configure_if_needed();
 
   Glass glass_;
   PanelSettings settings_;

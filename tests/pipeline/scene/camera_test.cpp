@@ -64,6 +64,18 @@ TEST_CASE("look_at turns the camera to its target with `up` upwards") {
   CHECK(worst < 0x1p-26);
 }
 
+TEST_CASE("a camera that is given the pose of another sees the same") {
+  Camera camera;
+  Camera posed;
+  REQUIRE(Camera::make({WorldPoint::of(3, -1, 4), WorldPoint::of(1, 2, -1)}, kLens, kScreen, camera) ==
+          Status::kOk);
+  REQUIRE(Camera::make({{}, WorldPoint::of(0, 0, -1)}, kLens, kScreen, posed) == Status::kOk);
+  posed.set_pose(camera.eye(), camera.rotation());
+  const ScreenPoint seen = camera.project(WorldPoint::of(1, 1, -2));
+  REQUIRE(seen.in_front);
+  CHECK(posed.project(WorldPoint::of(1, 1, -2)) == seen);
+}
+
 TEST_CASE("a camera made of constants is the same as a constant and as a variable") {
   static constexpr Camera constant = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);
   const Camera variable = Camera::of({WorldPoint::of(0, 0, 4), {}}, kLens, kScreen);

@@ -190,7 +190,9 @@ TEST_CASE("builds with checks report calls that cannot mean what they say") {
   std::vector<std::uint16_t> memory(DepthBuffer::words(Canvas::kWidth, Canvas::kHeight));
   const auto buffer = [&](std::int32_t rows) { return DepthBuffer(memory, Canvas::kWidth, rows); };
   const Causes never{"draw: the depth buffer was never cleared"};
-  CHECK(drawn(buffer(Canvas::kHeight)) == never);
+  const DepthBuffer untouched = buffer(Canvas::kHeight);
+  CHECK(drawn(untouched) == never);
+  CHECK(drawn(untouched).empty());                                  // reported once
   std::fill(memory.begin(), memory.end(), DepthBuffer::kFarthest);  // cleared without clear()
   CHECK(drawn(buffer(Canvas::kHeight)).empty());
   CHECK(drawn(buffer(Canvas::kHeight)).empty());  // as another object left it

@@ -181,10 +181,18 @@ TEST_CASE("nothing is culled without planes, nor where a plane or the guard band
 
 TEST_CASE("a far plane right behind the vertices does not keep planes from being used") {
   Random random(115);
+  constexpr Vec3 kAxes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  constexpr std::int16_t ObjectPosition::*kCoordinates[] = {&ObjectPosition::x, &ObjectPosition::y,
+                                                            &ObjectPosition::z};
+  const int axis = GENERATE(0, 1, 2);  // points to the camera
+  CAPTURE(axis);
   TestMesh made = make_sphere(8, 16, 1000, 0, random);
-  for (ObjectPosition& p : made.positions) p.z = static_cast<std::int16_t>(p.z + 2000);
+  for (ObjectPosition& p : made.positions) {
+    std::int16_t& towards = p.*kCoordinates[axis];
+    towards = static_cast<std::int16_t>(towards + 2000);
+  }
   const PlanedMesh mesh(std::move(made));
-  TestCamera camera;
+  TestCamera camera{kAxes[(axis + 1) % 3], kAxes[(axis + 2) % 3], kAxes[axis]};
   camera.translation = {0, 0, -9000};
   for (const auto& [far_plane, known] :
        {std::pair{12100.0, true}, {8060.0, true}, {7950.0, false}, {7000.0, false}}) {

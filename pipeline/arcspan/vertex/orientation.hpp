@@ -65,10 +65,9 @@ namespace detail {
   return Rotation::about_y(angles.yaw) * Rotation::about_x(angles.pitch) * Rotation::about_z(angles.roll);
 }
 
-/// Entries are within 2^-27 of the exact ones. The zero quaternion gives no rotation.
+/// Entries are within 2^-27 of the exact ones. The zero quaternion gives no rotation: all its products are 0.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Rotation rotation_of(const Quaternion& q) {
   const std::array<std::int32_t, 4> u = unit_vector30<4>({q.w.raw(), q.x.raw(), q.y.raw(), q.z.raw()});
-  if (is_zero(u)) return Rotation::identity();
   const auto twice = [&u](std::size_t i, std::size_t j) { return 2 * detail::product30(u[i], u[j]); };
   constexpr std::int64_t kUnit = detail::kOne30;
   const std::int64_t entries[3][3] = {

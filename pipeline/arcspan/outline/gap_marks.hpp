@@ -44,9 +44,7 @@ class GapMarks {
     const auto x = static_cast<std::int32_t>(pixel & 0xFFFFu);
     const auto y = static_cast<std::int32_t>(pixel >> 16);
     const auto outside = blender_.outer(x, y);
-    const Status status =
-        blender_.blend(x, y, outline, {outside.read(), blender_.inner(outside, x, y, place).read()});
-    if (!ok(status)) status_ = status;
+    status_ = blender_.blend(x, y, outline, {outside.read(), blender_.inner(outside, x, y, place).read()});
   }
 
   [[nodiscard]] Status status() const { return status_; }

@@ -121,7 +121,6 @@ template <class TrianglesOf>
   PickSink sink{x, y};
   std::uint16_t nearest = DepthBuffer::kFarthest;
   const DepthBuffer depth({&nearest, 1}, sink.bounds());
-  depth.clear();
   for (const std::uint16_t i : frame.order.first(frame.header.in_view)) {
     const SceneSlot& slot = frame.entries[i];
     if (is_outside(slot, sink.bounds())) continue;

@@ -303,6 +303,31 @@ TEST_CASE("a point is a square of pixels around its place, cut at the borders") 
   CHECK(columns_and_rows({0, 0, 8000}, 9) == Box{kView.width, kView.height, 0, 0});  // at the eye
 }
 
+TEST_CASE("lines and points end where the sink first fails") {
+  struct Failing {
+    using Format = Gray8;
+    Sheet& sheet;
+    int runs = 0;
+    [[nodiscard]] Rect bounds() const { return {0, 0, kView.width, kView.height}; }
+    [[nodiscard]] Format::Cursor open(const Span& run) { return sheet.frame.open(run); }
+    [[nodiscard]] Status close(const Span&) { return ++runs == 3 ? Status::kTimeout : Status::kOk; }
+  };
+  TestCamera camera;
+  camera.width = kView.width;
+  camera.height = kView.height;
+  camera.translation = {0, 0, -8000};
+  Sheet sheet;
+  Failing sink{sheet};
+  const ObjectLine flat{{-900, -300, 0}, {900, 300, 0}};
+  CHECK(draw_lines({&flat, 1}, camera.transform(), kWhite255, sink, NoDepth{}) == Status::kTimeout);
+  CHECK(std::exchange(sink.runs, 0) == 3);
+  const ObjectLine tall{{-300, -900, 0}, {300, 900, 0}};
+  CHECK(draw_lines({&tall, 1}, camera.transform(), kWhite255, sink, NoDepth{}) == Status::kTimeout);
+  CHECK(std::exchange(sink.runs, 0) == 3);
+  CHECK(draw_points({&flat.from, 1}, 5, camera.transform(), kWhite255, sink, NoDepth{}) == Status::kTimeout);
+  CHECK(sink.runs == 3);
+}
+
 TEST_CASE("lines say why they draw nothing") {
   TestCamera camera;
   camera.width = kView.width;

@@ -29,6 +29,17 @@ struct Worst {
 
 }  // namespace
 
+TEST_CASE("the point of a packed normal lies on the octahedron, on the side of the normal") {
+  for (std::int32_t u = -32767; u <= 32767; u += 1213) {
+    for (std::int32_t v = -32767; v <= 32767; v += 1213) {
+      const PackedNormal packed{static_cast<std::int16_t>(u), static_cast<std::int16_t>(v)};
+      const detail::OctahedralPoint p = detail::octahedral_point(packed);
+      REQUIRE(std::abs(p.x) + std::abs(p.y) + std::abs(p.z) == 32767);
+      REQUIRE(angle_between({double(p.x), double(p.y), double(p.z)}, to_vec3(unpack_normal(packed))) < 1e-4);
+    }
+  }
+}
+
 TEST_CASE("a packed normal comes back within 0.006 degrees and of unit length") {
   Worst worst;
   // A dense spiral over the sphere.

@@ -75,6 +75,13 @@ TEST_CASE("text: rows of more than 32 pixels are whole, with outlines too") {
                                " ooo" + std::string(36, ' ') + "ooo ", std::string(44, ' ')});
 }
 
+TEST_CASE("text: behind the last column of a wide letter its outline does not see the next row") {
+  const DrawnFont<1> font({{0xFFFD, 0, 0, 41, {std::string(40, ' '), "#" + std::string(39, ' ')}}}, 3);
+  TextPicture picture(44, 4);
+  CHECK(draw_text(picture.frame, font.font, {1, 1}, "?", OutlinedText{kInk, kOther}) == Status::kOk);
+  for (const std::string& row : picture.rows()) CHECK(row.substr(3) == std::string(41, ' '));
+}
+
 TEST_CASE("smooth text: coverage mixes the colour with the pixels below it") {
   std::array<std::uint8_t, 8 * 6> memory{};
   hal::Framebuffer<Gray8> frame(memory, 8, 6);

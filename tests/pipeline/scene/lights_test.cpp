@@ -217,6 +217,11 @@ TEST_CASE("ambient light is part of the material") {
   REQUIRE(ok(changing.light(seen, lighting)));
   CHECK(by_day.r > 0);
   CHECK(lighting.diffuse_colour({}).rgb8() == Rgb8{});
+
+  REQUIRE(ok(constant.make(grey, {day.lights, {}}, {}, constant)));  // for the night
+  CHECK(ok(constant.light(seen, lighting)));
+  seen.ambient = kWhite;
+  CHECK(constant.light(seen, lighting) == Status::kLightChanged);
 }
 
 TEST_CASE("a scene refuses ambient light outside of 0...1") {

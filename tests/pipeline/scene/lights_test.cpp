@@ -169,6 +169,12 @@ TEST_CASE("a point light in an object's middle is no misuse of a material that i
   CHECK(lighting.colour(scalars).lanes == lighting.diffuse_colour({}).lanes);
 }
 
+TEST_CASE("a point light at the other end of the world is weak, not bright") {
+  const SceneLight light = SceneLight::point(WorldPoint::of(32500, 15000, 0), WorldLength::of(1000));
+  const DirectionalLight seen = light.seen_from(WorldPoint::of(-32500, -15000, 0), Rotation::identity());
+  CHECK(seen.strength.raw() == Approx(32768 * 1000 / (71589.1 + 1000)).margin(1));
+}
+
 TEST_CASE("a material from an illumination is for a white light of strength 1") {
   using Single = Illumination<1, Highlight::kPhong>;
   using Constant = PreparedMaterial<Flat<Single>>;

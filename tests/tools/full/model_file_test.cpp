@@ -328,6 +328,13 @@ TEST_CASE("PLY: colours of vertices and of faces, as integers and as floats") {
   const Model words =
       loaded_ply(wide, "", "0 0 0 65535 0 0\n1 0 0 65535 0 0\n1 1 0 65535 0 0\n0 1 0 65535 0 0\n" + faces);
   CHECK(words.parts[0].look.material.colour == Vec3{1, 0, 0});
+  for (const std::string type : {"int", "uint"}) {  // of 32 bits, with bytes in them
+    const std::string long_rgb =
+        "property " + type + " red\nproperty " + type + " green\nproperty " + type + " blue\n";
+    const Model longs =
+        loaded_ply(long_rgb, "", "0 0 0 255 51 0\n1 0 0 255 51 0\n1 1 0 255 51 0\n0 1 0 255 51 0\n" + faces);
+    CHECK(longs.parts[0].look.material.colour == Vec3{1, 0.2, 0});
+  }
   const Model of_faces =
       loaded_ply("", rgb, "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n");
   REQUIRE(of_faces.parts.size() == 2);

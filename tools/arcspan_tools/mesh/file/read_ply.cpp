@@ -151,6 +151,8 @@ class ColourProperties {
   [[nodiscard]] double channel(const std::vector<double>& values, std::size_t i) const {
     const PlyType type = element_.properties[i].type;
     if (type.kind == PlyType::Kind::kFloat) return values[i];
+    // Integers of 32 bits hold bytes in the files of all programs.
+    if (type.bytes == 4) return std::clamp(values[i] / 255, 0.0, 1.0);
     const int bits = 8 * type.bytes - (type.kind == PlyType::Kind::kSigned ? 1 : 0);
     return std::clamp(values[i] / (std::ldexp(1.0, bits) - 1), 0.0, 1.0);
   }

@@ -62,6 +62,18 @@ TEST_CASE("an OBJ with a texture: its picture, points with v down, vertices spli
   CHECK(mesh.texture_points[mesh.triangles[1][0]] == Uv{3, 0.75});
 }
 
+TEST_CASE("OBJ: of paths on the exporter's machine the last parts are looked for beside the model") {
+  for (const std::string folder : {"/home/me/my tex/", "C:\\Users\\my tex\\", "C:/Users/me/", "../tex/"}) {
+    const Model model = loaded(kSquare, "newmtl m\nmap_Kd " + folder + "tiles.ppm\n");
+    CHECK(model.warnings.empty());
+    CHECK(model.parts[0].look.material.texture != nullptr);
+    if (folder == "../tex/") continue;
+    const Model library = loaded("mtllib " + folder + kSquare.substr(7), "newmtl m\nmap_Kd tiles.ppm\n");
+    CHECK(library.warnings.empty());
+    CHECK(library.parts[0].look.material.texture != nullptr);
+  }
+}
+
 TEST_CASE("texture coordinates that nothing uses split no vertex") {
   const Model model = loaded(kSquare, "newmtl m\n");
   CHECK(model.parts[0].mesh.positions.size() == 4);

@@ -18,6 +18,11 @@ std::vector<std::string> words_of(const std::string& name) {
   return words;
 }
 
+/// Whether a path begins at the root of a machine's files or with a drive.
+bool is_absolute(const std::string& path) {
+  return path.starts_with('/') || path.starts_with('\\') || path.find(":\\") == 1 || path.find(":/") == 1;
+}
+
 /// Adds the textures of a material.
 void add_textures(const MtlEntry& wanted, const SideFiles& files, FilePictures& pictures, LeftOut& left_out,
                   FileMaterial& material) {
@@ -46,6 +51,11 @@ void ObjLooks::read_libraries(const std::vector<Readings>& libraries, const Side
     };
     // The line is one name, which may have blanks, or several.
     if (std::ranges::any_of(*here, read)) continue;
+    // Some programs write where the library is on their own machine.
+    const auto read_beside = [&](const std::string& name) {
+      return is_absolute(name) && read(name.substr(name.find_last_of("/\\") + 1));
+    };
+    if (std::ranges::any_of(*here, read_beside)) continue;
     for (const std::string& name : words_of(here->back())) {
       if (!read(name)) missing_.insert(name);
     }

@@ -95,11 +95,15 @@ class MtlReader {
     }
     Readings name = lines_.name(at);
     if (name[0].empty()) lines_.fail(in_quotes(words[0]) + " names no file");
-    if (folder_.empty()) return name;
-    // Some programs write where the picture is from the material file, others where it is from the model.
+    // Some programs write where the picture is from the material file, others where it is from the model,
+    // others where it is on their own machine.
     Readings names;
     for (const std::string& reading : name) names.push_back(folder_ + reading);
-    names.insert(names.end(), name.begin(), name.end());
+    if (!folder_.empty()) names.insert(names.end(), name.begin(), name.end());
+    for (const std::string& reading : name) {
+      if (const std::size_t slash = reading.find_last_of("/\\"); slash != std::string::npos)
+        names.push_back(reading.substr(slash + 1));
+    }
     return names;
   }
 

@@ -419,6 +419,53 @@ TEST_CASE("a picture is wrapped around generated meshes, with a seam that no tri
   }
 }
 
+TEST_CASE("Collada: of several texture coordinates those are drawn that the material binds") {
+  const auto source = [](const std::string& id, const std::string& numbers, const std::string& axes) {
+    std::string params;
+    for (const char axis : axes) params += "<param name='" + std::string(1, axis) + "' type='float'/>";
+    return "<source id='" + id + "'><float_array id='" + id + "a' count='" + std::to_string(3 * axes.size()) +
+           "'>" + numbers + "</float_array><technique_common><accessor source='#" + id +
+           "a' count='3' stride='" + std::to_string(axes.size()) + "'>" + params +
+           "</accessor></technique_common></source>";
+  };
+  const auto first_u = [&](int first, int bound) {
+    const auto input = [](const std::string& set, const std::string& from) {
+      return "<input semantic='TEXCOORD' source='#" + from + "' offset='0' set='" + set + "'/>";
+    };
+    const TemporaryFolder folder;
+    (void)folder.file("tiles.ppm", contents(kTiles));
+    const Model model = load_model_file(folder.file(
+        "a.dae",
+        "<COLLADA version='1.4.1'><library_images><image id='i'><init_from>tiles.ppm</init_from></image>"
+        "</library_images><library_effects><effect id='e'><profile_COMMON><newparam sid='f'><surface "
+        "type='2D'><init_from>i</init_from></surface></newparam><newparam sid='t'><sampler2D><source>f"
+        "</source></sampler2D></newparam><technique sid='c'><lambert><diffuse><texture texture='t' "
+        "texcoord='UV'/></diffuse></lambert></technique></profile_COMMON></effect></library_effects>"
+        "<library_materials><material id='m'><instance_effect url='#e'/></material></library_materials>"
+        "<library_geometries><geometry id='g'><mesh>" +
+            source("p", "0 0 0 1 0 0 0 1 0", "XYZ") + source("u", "0.25 0 0.5 0 0.25 0.5", "ST") +
+            source("w", "0.75 0 1 0 0.75 0.5", "ST") +
+            "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices><triangles material='m' "
+            "count='1'><input semantic='VERTEX' source='#v' offset='0'/>" +
+            input(std::to_string(first), "u") + input(std::to_string(first + 1), "w") +
+            "<p>0 1 2</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"
+            "<visual_scene id='s'><node id='n'><instance_geometry url='#g'><bind_material>"
+            "<technique_common><instance_material symbol='m' target='#m'><bind_vertex_input semantic='UV' "
+            "input_semantic='TEXCOORD' input_set='" +
+            std::to_string(bound) +
+            "'/></instance_material></technique_common></bind_material></instance_geometry></node>"
+            "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene>"
+            "</COLLADA>"));
+    const MeshData& mesh = model.parts[0].mesh;
+    return mesh.texture_points.at(mesh.triangles[0][0]).u;
+  };
+  CHECK(first_u(0, 0) == 0.25);
+  CHECK(first_u(0, 1) == 0.75);
+  CHECK(first_u(1, 1) == 0.25);
+  CHECK(first_u(1, 2) == 0.75);
+  CHECK(first_u(0, 7) == 0.25);  // there are no such ones
+}
+
 TEST_CASE("Collada and 3DS: nodes, materials and textures as the loader reads them") {
   const std::string folder = "/usr/share/assimp/models/";
   if (!std::filesystem::exists(folder)) return;

@@ -129,8 +129,8 @@ class WithLossLog {
 /// Turns a scene of the library into JSON.
 class SceneDump {
  public:
-  SceneDump(const aiScene& scene, MeshFormat format, const LeftOutCounts& lost)
-      : scene_(scene), format_(format), left_out_(lost) {}
+  SceneDump(const aiScene& scene, MeshFormat format, const LeftOutCounts& lost, bool has_numbered_sets)
+      : scene_(scene), format_(format), left_out_(lost), has_numbered_sets_(has_numbered_sets) {}
 
   nlohmann::json json() {
     list_nodes();
@@ -234,14 +234,30 @@ class SceneDump {
     const auto opacity = number(AI_MATKEY_OPACITY);
     if (is_fbx && opacity) look["opacity"] = *opacity;
     if (!is_fbx && opacity > 0 && opacity < 1) leave_out("opacity of materials");
-    for (const aiTextureType type :
-         {unlit ? aiTextureType_EMISSIVE : aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
-      if (material.GetTexture(type, 0, &text) != aiReturn_SUCCESS) continue;
+    const auto type = drawn_texture(material);
+    if (type && material.GetTexture(*type, 0, &text) == aiReturn_SUCCESS) {
       look["texture"] = text.C_Str();
       add_picture(text);
-      break;
     }
     return look;
+  }
+
+  [[nodiscard]] std::optional<aiTextureType> drawn_texture(const aiMaterial& material) const {
+    for (const aiTextureType type :
+         {is_constant(material) ? aiTextureType_EMISSIVE : aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
+      if (material.GetTextureCount(type) > 0) return type;
+    }
+    return std::nullopt;
+  }
+
+  /// Which texture coordinates of a mesh its texture refers to.
+  [[nodiscard]] unsigned texture_set_of(const aiMesh& mesh) const {
+    if (!has_numbered_sets_ || mesh.mMaterialIndex >= scene_.mNumMaterials) return 0;
+    const aiMaterial& material = *scene_.mMaterials[mesh.mMaterialIndex];
+    const auto type = drawn_texture(material);
+    int set = 0;
+    if (!type || material.Get(AI_MATKEY_UVWSRC(*type, 0), set) != aiReturn_SUCCESS || set < 0) return 0;
+    return mesh.HasTextureCoords(static_cast<unsigned>(set)) ? static_cast<unsigned>(set) : 0;
   }
 
   /// Keeps the bytes of a picture that the file holds.
@@ -257,10 +273,11 @@ class SceneDump {
                        {"joints", nlohmann::json::array()},
                        {"targets", nlohmann::json::array()}};
     if (mesh.HasNormals()) out["normals"] = vectors(mesh.mNormals, mesh.mNumVertices);
-    if (mesh.HasTextureCoords(0)) {
+    const unsigned set = texture_set_of(mesh);
+    if (mesh.HasTextureCoords(set)) {
       std::vector<Uv> points;  // the library's v is up
       for (unsigned i = 0; i < mesh.mNumVertices; ++i)
-        points.push_back({mesh.mTextureCoords[0][i].x, 1.0 - mesh.mTextureCoords[0][i].y});
+        points.push_back({mesh.mTextureCoords[set][i].x, 1.0 - mesh.mTextureCoords[set][i].y});
       out["texture_points"] = binary_of(points);
     }
     if (mesh.HasVertexColors(0)) leave_out("vertex colours");
@@ -379,6 +396,7 @@ class SceneDump {
   const aiScene& scene_;
   MeshFormat format_;
   LeftOutCounts left_out_;
+  bool has_numbered_sets_;  ///< materials tell by with_numbered_sets() which texture coordinates they use
   std::vector<const aiNode*> nodes_{};
   std::vector<std::int64_t> parents_{};
   std::map<std::string, std::size_t> numbers_{};  ///< of the first node of each name
@@ -403,8 +421,9 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   keep_only(importer, wanted);
   std::string text;
   LeftOutCounts lost;
-  if (wanted == std::string_view("dae")) {
-    bytes = text = without_blanks_before_numbers(bytes);
+  const bool is_text = wanted == std::string_view("dae");
+  if (is_text) {
+    bytes = text = with_numbered_sets(without_blanks_before_numbers(bytes));
     if (const std::size_t joints = count_shared_joints(bytes); joints != 0)
       lost["joints with the sid of another, which meshes follow in their place"] = joints;
   }
@@ -414,7 +433,7 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, wanted);
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
   std::string cbor;
-  nlohmann::json::to_cbor(SceneDump(*scene, format, lost).json(), cbor);
+  nlohmann::json::to_cbor(SceneDump(*scene, format, lost, is_text).json(), cbor);
   return cbor;
 }
 

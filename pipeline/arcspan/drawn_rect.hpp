@@ -16,7 +16,8 @@ template <class Used, bool KeepsVertices, DrawableMesh Mesh>
 [[nodiscard]] Rect drawn_rect_of_part(SceneSlot& slot, const Mesh& mesh, std::size_t number,
                                       const SceneMaterial& material) {
   using Method = typename Used::Method;
-  const ExtentOptions options{material.options().two_sided, Used::kFeatures.clips, DrawsEdges<Method>};
+  const ExtentOptions options{prepared<Used>(material).options().two_sided, Used::kFeatures.clips,
+                              DrawsEdges<Method>};
   VertexStage<Method, Mesh> stage(mesh, slot.transform, prepared<Used>(material).lighting(),
                                   shading_of(number));
   if constexpr (Used::kFeatures.planes && !IsPosed<Used>) {

@@ -46,12 +46,11 @@ struct PartCall {
 /// draw_mesh() with the vertices of the part's slot, which exist if `KeepsVertices`.
 template <class Used, bool KeepsVertices, class Sink, class Depth, class KeptRows>
 DrawResult draw_lit_part(const PartCall<Sink, Depth, KeptRows>& part,
-                         const typename Used::Method::Lighting& lighting) {
+                         const typename Used::Method::Lighting& lighting, const DrawOptions& options) {
   using Method = typename Used::Method;
   const auto draw = [&]<class Mesh>(const Mesh& mesh) {
     TriangleDrawer<Method, Used::kFeatures, Sink, Depth, Mesh> drawer(
-        {mesh, part.slot.transform, lighting, shading_of(part.number)}, part.sink, part.depth,
-        part.material.options());
+        {mesh, part.slot.transform, lighting, shading_of(part.number)}, part.sink, part.depth, options);
     if constexpr (KeepsVertices) {
       SlotVertices<Method, KeptRows> vertices(part.slot, kUseFacts<Used>, part.rows);
       drawer.draw(vertices);
@@ -98,14 +97,14 @@ DrawResult draw_part_by(const PartCall<Sink, Depth, KeptRows>& part) {
     auto& lighting = *static_cast<Lighting*>(part.lighting);
     const Status status = material.light(part.lights, lighting);
     if (!ok(status)) return {status};
-    return draw_lit_part<Drawn, kKeepsVertices>(part, lighting);
+    return draw_lit_part<Drawn, kKeepsVertices>(part, lighting, material.options());
   } else if constexpr (FollowsView<Lighting>) {
     auto& lighting = *static_cast<Lighting*>(part.lighting);
     copy_words(material.lighting(), lighting);
     lighting.set_rotation(part.camera * part.slot.object->rotation);
-    return draw_lit_part<Drawn, kKeepsVertices>(part, lighting);
+    return draw_lit_part<Drawn, kKeepsVertices>(part, lighting, material.options());
   } else {
-    return draw_lit_part<Drawn, kKeepsVertices>(part, material.lighting());
+    return draw_lit_part<Drawn, kKeepsVertices>(part, material.lighting(), material.options());
   }
 }
 

@@ -37,9 +37,9 @@ struct SidesCall {
 template <class Used, bool KeepsVertices, class KeptRows>
 [[nodiscard]] Status find_part_sides(const SidesCall<KeptRows>& call) {
   const auto find_with = [&](const auto& mesh, auto&& vertices) {
-    return find_sides<typename Used::Method>(mesh, call.slot.transform,
-                                             prepared<Used>(call.material).lighting(), vertices, call.sides,
-                                             call.material.options());
+    const auto& material = prepared<Used>(call.material);
+    return find_sides<typename Used::Method>(mesh, call.slot.transform, material.lighting(), vertices,
+                                             call.sides, material.options());
   };
   if constexpr (KeepsVertices) {
     SlotVertices<typename Used::Method, KeptRows> vertices(call.slot, kUseFacts<Used>, call.rows);

@@ -62,7 +62,7 @@ template <class Used>
   if constexpr (DrawsEdges<Method>) lighting.set(prepared<Used>(call.material).lighting().bias);
   return with_vertices<Used>(call.material, triangle, Status::kInvalidArgument, [&](const auto& mesh) {
     return draw_mesh<Plain, kFeatures>(mesh, call.slot.transform, lighting, call.sink, call.depth, NoCache{},
-                                       call.material.options())
+                                       prepared<Used>(call.material).options())
         .status;
   });
 }

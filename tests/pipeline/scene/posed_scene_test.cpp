@@ -276,3 +276,42 @@ TEST_CASE("a pose that does not fit its object is refused, and outlines without 
   static SceneMemory<SceneMethods, 4, 400> of_still_objects;
   CHECK(prepare_scene({camera, kLights, whole}, of_still_objects) == Status::kMethodNotListed);
 }
+
+TEST_CASE("a posed object is drawn by the options that its material was last made with") {
+  Poses poses;
+  Random random(8);
+  // Open, so that backs show.
+  const MeshView half = poses.rest.part(0, 40);
+  const MeshView posed_half = poses.posed.part(0, 40);
+  const Disguise disguise{half, posed_half};
+  const PosedMaterial<Disguise> before(poses.copper, disguise);
+  REQUIRE(
+      ok(PreparedMaterial<SceneMethod>::make(matter(kFull, kFull, kFull), kLights, {true}, poses.copper)));
+  const PosedMaterial<Disguise> after(poses.copper, disguise);
+  CHECK(before.options().two_sided);
+  const TestNeighbours neighbours(half);
+  const OutlinedMesh outlined[] = {{&half, &neighbours.view}};
+  std::vector<TriangleSide> sides(200);
+  std::vector<OutlineEdge> edges(2000);
+  SceneOutlines<Rgb888> outlines{outlined, sides, OutlineList(edges), {}};
+  const auto drawn = [&](const PosedMaterial<Disguise>& material, const Camera& camera, Canvas& canvas,
+                         Picked& picked) {
+    const Object objects[] = {{half, material}};
+    const Scene scene{camera, kLights, objects};
+    REQUIRE(ok(draw_scene(scene, canvas.picture, canvas.depth, own_vertices, Rgb8{}).status));
+    REQUIRE(ok(find_outlines(own_vertices, outlines)));
+    picked = pick(own_vertices, Canvas::kWidth / 2, Canvas::kHeight / 2);
+    return drawn_rect(own_vertices);
+  };
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    const Camera camera = random_camera(random);
+    Canvas expected, found;
+    Picked expected_pick, found_pick;
+    const Rect expected_rect = drawn(after, camera, expected, expected_pick);
+    const std::size_t expected_edges = outlines.edges.edges().size();
+    CHECK(drawn(before, camera, found, found_pick) == expected_rect);
+    CHECK(found.pixels == expected.pixels);
+    CHECK(outlines.edges.edges().size() == expected_edges);
+    CHECK(found_pick.depth == expected_pick.depth);
+  }
+}

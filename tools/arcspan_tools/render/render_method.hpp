@@ -16,14 +16,9 @@ RenderResult ARCSPAN_METHOD_FUNCTION(render, ARCSPAN_METHOD)(const RenderJob& jo
   constexpr std::string_view kName = ARCSPAN_NAME_OF(ARCSPAN_METHOD);
   constexpr bool kAsksForRamp =
       kName != "Flat" && kName != "Gouraud" && (!is_literature_method(kName) || kName == "Segment");
-#ifdef ARCSPAN_ALWAYS_VIRTUAL  // the same pictures, drawn slower and compiled faster
-  constexpr RenderFunction* kDirectly = nullptr;
-#else
-  constexpr RenderFunction* kDirectly = &ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD);
-#endif
-  const bool has_highlight = draws_phong_directly(kName) || job.highlight == Highlight::kBlinn;
-  return render_with<ARCSPAN_METHOD, kAsksForRamp, draws_effects(kName)>(job, pixels, rows_done,
-                                                                         has_highlight ? kDirectly : nullptr);
+  RenderFunction* directly = nullptr;
+  if constexpr (draws_directly(kName)) directly = &ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD);
+  return render_with<ARCSPAN_METHOD, kAsksForRamp, draws_effects(kName)>(job, pixels, rows_done, directly);
 }
 
 }  // namespace arcspan::tools

@@ -14,10 +14,8 @@ RenderFunction ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD);
 RenderResult ARCSPAN_METHOD_FUNCTION(render_directly, ARCSPAN_METHOD)(const RenderJob& job,
                                                                       const PixelChoice& pixels,
                                                                       const RowsDone& rows_done) {
-  if constexpr (draws_phong_directly(ARCSPAN_NAME_OF(ARCSPAN_METHOD))) {
-    if (job.highlight == Highlight::kPhong)
-      return detail::render_directly<ARCSPAN_METHOD, Highlight::kPhong>(job, pixels, rows_done);
-  }
+  if (job.highlight == Highlight::kPhong)
+    return detail::render_directly<ARCSPAN_METHOD, Highlight::kPhong>(job, pixels, rows_done);
   return detail::render_directly<ARCSPAN_METHOD, Highlight::kBlinn>(job, pixels, rows_done);
 }
 

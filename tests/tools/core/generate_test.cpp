@@ -58,6 +58,23 @@ TEST_CASE("generated meshes have the volume of what they approximate") {
   CHECK(made("torus:48x24").triangles.size() == 48 * 24 * 2);
 }
 
+TEST_CASE("texture points of generated meshes say where a corner lies around the axis, and on its ring") {
+  const double turn = 2 * std::acos(-1.0);
+  const bool is_torus = GENERATE(true, false);
+  const std::string name = is_torus ? "torus:5x4" : "sphere:5x4";
+  const RawModel raw = generate_with_texture_points(parse_generated_mesh(name).value());
+  for (const auto& corners : raw.mesh.triangles) {
+    for (const RawMesh::Corner& corner : corners) {
+      const Uv at = corner.texture_point.value();
+      const double angle = is_torus ? (0.5 - at.v) * turn : (0.5 - at.v) * turn / 2;
+      const double from_axis = is_torus ? 1 + 0.4 * std::cos(angle) : std::cos(angle);
+      const Vec3 there{from_axis * std::sin((at.u - 0.5) * turn), (is_torus ? 0.4 : 1) * std::sin(angle),
+                       from_axis * std::cos((at.u - 0.5) * turn)};
+      CHECK(length(there - corner.position) < 1e-9);
+    }
+  }
+}
+
 TEST_CASE("names that are not generated meshes are left alone, wrong ones refused") {
   CHECK_FALSE(parse_generated_mesh("sphere.obj").has_value());
   CHECK_FALSE(parse_generated_mesh("cube:3x3").has_value());

@@ -235,6 +235,9 @@ TEST_CASE("OFF: keywords of other programs, none at all, and line ends of old Ma
   const std::string coloured = square("CNOFF\n", " 0 0.6 0.8 255 0 0 255");
   for (const Vec3& n : loaded("a.off", coloured).normals) CHECK(length(n - Vec3{0, 0.6, 0.8}) < 1e-6);
   CHECK(warnings_of("a.off", coloured) == colours);
+  std::string one_line = square("STCOFF ", " 9 9 9 9 9 9");
+  std::replace(one_line.begin(), one_line.end(), '\n', ' ');
+  CHECK(loaded("a.off", one_line).triangles.size() == 2);
   std::string mac = square("OFF\n", "");
   std::replace(mac.begin(), mac.end(), '\n', '\r');
   CHECK(loaded("a.off", mac).triangles.size() == 2);
@@ -335,6 +338,15 @@ TEST_CASE("PLY: opacity of vertices is left out, with a warning") {
         std::vector<std::string>{"left out: opacity of vertices (2)"});
 }
 
+TEST_CASE("a triangle has the mean of its colours after each is limited; sharp edges are those of faces") {
+  const TemporaryFolder folder;
+  const std::string file = "v 0 0 0 510 -255 0\nv 1 0 0 0 255 0\nv 0 1 0 0 255 255\nf 1 2 3\n";
+  const Model model =
+      load_model_file(folder.file("a.obj", file), TexturePointsOf::kTexturedParts, VertexColours::kMean);
+  CHECK(length(model.parts[0].look.material.colour.value() - Vec3{1, 2, 1} * (1.0 / 3)) < 1e-6);
+  CHECK(model.crease_degrees == 40);
+}
+
 TEST_CASE("PLY: what can be wrong with one") {
   const std::string head = "ply\nformat ascii 1.0\n";
   const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
@@ -353,6 +365,9 @@ TEST_CASE("PLY: what can be wrong with one") {
   CHECK(complaint("a.ply", head + vertices + faces + body) == "line 12: the file ends before face 1 of 1");
   CHECK(complaint("a.ply", head + vertices + faces + body + "3 0 1 3\n") ==
         "line 13: vertex index out of range (3; allowed are 0 to 2) in face 1 of 1");
+  CHECK(complaint("a.ply", head + vertices + "element face 1\nproperty list int int vertex_indices\n" + body +
+                               "4097 0\n") ==
+        "line 13: too many corners (4097; the limit is 4096) in face 1 of 1");
   CHECK(complaint("a.ply", head + vertices + faces + "end_header\n0 0 0\n1 no 0\n0 1 0\n3 0 1 2\n") ==
         "line 11: a coordinate is not a number up to 1e30 in vertex 2 of 3");
   CHECK(complaint("a.ply", head + "element vertex 9\nproperty float x\n" + faces + "end_header\n1\n") ==

@@ -494,6 +494,9 @@ TEST_CASE("rigs: a node of no size at rest has its triangles when a clip gives i
   double farthest = 0;
   for (const Vec3& p : grown.parts[0].mesh.positions) farthest = std::max(farthest, length(p));
   CHECK(farthest == Approx(std::sqrt(8)));
+  GltfRig flat = moved_square("translation", {0, 1}, {0, 0, 0, 0, 1, 0}, "LINEAR");
+  flat.json["nodes"][0]["scale"] = {1, 1, 0};
+  CHECK(worst_of_pipeline(stored(loaded(flat)), 0, 1) < 32);
 }
 
 TEST_CASE("rigs: a triangle without area is kept if a morph target opens it") {
@@ -744,6 +747,9 @@ TEST_CASE("rigs: a mesh at a moving node follows one joint") {
   CHECK(binary.animation.weights(0).are_of_one_joint());
   CHECK(binary.animation.find_node("") != arcspan::StoredAnimation::kNone);
   for (const double time : {0., .3, 1.}) CHECK(worst_of_pipeline(fixed, 0, time) < 32);
+  rig.json["nodes"].push_back({{"name", "stand"}, {"children", {0}}});
+  rig.json["scenes"][0]["nodes"] = {1};
+  CHECK(Binary(stored(loaded(rig))).animation.find_node("stand") != arcspan::StoredAnimation::kNone);
 }
 
 TEST_CASE("rigs: what the format cannot hold is said with the node") {

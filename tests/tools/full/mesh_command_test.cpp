@@ -22,7 +22,11 @@ TEST_CASE("mesh writes a header, figures and a picture of before and after") {
   CHECK(made.err.empty());
   const auto json = nlohmann::json::parse(contents(folder / "s.json"));
   CHECK(json["model"]["triangles"] == 2304);
+  CHECK(json["model"]["vertices"] == 1152);
   CHECK(json["mesh"]["bytes"].get<int>() <= 8192);
+  const auto& shares = json["mesh"]["bytes_of"];
+  CHECK(shares["positions"] == 6 * json["mesh"]["vertices"].get<int>());
+  CHECK(shares["indices"] == 6 * json["mesh"]["triangles"].get<int>());
   CHECK(made.out.find(json["mesh"]["bytes"].dump() + " bytes, 16-bit indices\n") != std::string::npos);
   const std::string header = contents(out);
   CHECK(header.find("namespace my_torus {") != std::string::npos);

@@ -61,4 +61,17 @@ TEST_CASE("where several lights are compiled without colours, a single coloured 
   CHECK(scene.drawn() != expected);
 }
 
+TEST_CASE("a scene has as many lights as it was last given") {
+  LitBall scene;
+  const arcspan_light lights[] = {{{1, 1, 1}, 0, 32768, kWhiteShares}, {{-1, 0, 1}, 0, 16384, kWhiteShares}};
+  REQUIRE(arcspan_set_lights(scene.scene, lights, 1, kWhiteShares) == ARCSPAN_OK);
+  const auto by_one = scene.drawn();
+  REQUIRE(arcspan_set_lights(scene.scene, lights, 2, kWhiteShares) == ARCSPAN_OK);
+  CHECK(scene.drawn() != by_one);
+  REQUIRE(arcspan_set_lights(scene.scene, lights, 1, kWhiteShares) == ARCSPAN_OK);
+  CHECK(scene.drawn() == by_one);
+  REQUIRE(arcspan_set_lights(scene.scene, lights, 0, kWhiteShares) == ARCSPAN_OK);
+  CHECK(scene.drawn() != by_one);
+}
+
 }  // namespace

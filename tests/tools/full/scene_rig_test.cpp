@@ -282,6 +282,10 @@ TEST_CASE("scenes: joints of a second skeleton with the names of the first are n
   CHECK(model_of("tube.dae", text).warnings ==
         std::vector<std::string>{
             "left out: joints with the sid of another, which meshes follow in their place (2)"});
+  const std::size_t begin = text.find("<instance_controller");
+  const std::string end = "</instance_controller>";
+  text.replace(begin, text.find(end) + end.size() - begin, "<instance_geometry url='#tube'/>");
+  CHECK(model_of("tube.dae", text).warnings.empty());  // no mesh follows joints
 }
 
 TEST_CASE("scenes: FBX as a still model has materials, pictures in the file, and metres") {

@@ -94,6 +94,8 @@ TEST_CASE("limits are met from below, closely") {
   const std::size_t bytes = 11 * triangles;
   const CompiledMesh small = compiled(torus, {{}, bytes, {}});
   const std::size_t taken = array_bytes(small.mesh.positions.size(), small.mesh.indices.size() / 3);
+  CHECK(array_bytes(256, 1) == 2560 + 3);
+  CHECK(array_bytes(257, 1) == 2570 + 6);
   CHECK(taken <= bytes);
   CHECK(100 * taken > 97 * bytes);
 }

@@ -207,6 +207,107 @@ TEST_CASE("scenes: FBX with pivots, a rotation before others, axes, units and a 
   }
 }
 
+/// fbx_plate() with one text in place of another.
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// The corners of the first triangle at a time, in centimetres with z up.
+std::array<Vec3, 3> plate_corners(const Model& model, double time) {
+  const MeshData mesh = in_pose(model, time).parts.at(0).mesh;
+  std::array<Vec3, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 p = mesh.positions[mesh.triangles.at(0)[i]] * 100;
+    corners[i] = {p.x, -p.z, p.y};
+  }
+  return corners;
+}
+
+TEST_CASE("scenes: clips of FBX move nodes with rotations before and after their own, as of Maya's joints") {
+  const std::string pivot = "P: \"RotationPivot\", \"Vector3D\", \"Vector\", \"\",100,0,0\n";
+  const std::string after = "P: \"PostRotation\", \"Vector3D\", \"Vector\", \"\",0,0,";
+  for (const int post : {0, 90, 30}) {
+    CAPTURE(post);
+    const std::string rotation = post == 0 ? "" : after + std::to_string(post) + "\n";
+    const Model model = model_of("plate.fbx", changed(fbx_plate(), pivot, rotation));
+    CHECK(model.warnings.empty());
+    for (const auto& [time, degrees] :
+         std::vector<std::pair<double, double>>{{0, 0}, {.5, 45}, {1, 90}, {1.5, 225}, {2, 360}}) {
+      CAPTURE(time);
+      const auto found = plate_corners(model, time);
+      const double c = 100 * std::cos((90 + degrees - post) * kDegree);
+      const double s = 100 * std::sin((90 + degrees - post) * kDegree);
+      CHECK(length(found[0] - Vec3{10, 0, 0}) < 1e-3);
+      CHECK(length(found[1] - Vec3{10 + c, s, 25 * time}) < 1e-3);
+      CHECK(length(found[2] - Vec3{10 - s, c, 0}) < 1e-3);
+    }
+  }
+}
+
+TEST_CASE("scenes: a morph target of FBX goes on at the keys of another") {
+  std::string text = changed(fbx_plate(), " Model: 20,", R"( Geometry: 15, "Geometry::sunk", "Shape" {
+  Version: 100
+  Indexes: *1 { a: 0 }
+  Vertices: *3 { a: 0,0,-80 }
+  Normals: *3 { a: 0,0,0 }
+ }
+ Deformer: 16, "SubDeformer::sunk", "BlendShapeChannel" {
+  Version: 100
+  DeformPercent: 0
+  FullWeights: *1 { a: 100 }
+ }
+ AnimationCurveNode: 34, "AnimCurveNode::DeformPercent", "" {
+  Properties70: {
+   P: "d|DeformPercent", "Number", "", "A",0
+  }
+ }
+ AnimationCurve: 42, "AnimCurve::", "" {
+  KeyTime: *2 { a: 23093079000,46186158000 }
+  KeyValueFloat: *2 { a: 100,50 }
+ }
+ Model: 20,)");
+  text = changed(text, " C: \"OP\",33,13",
+                 " C: \"OO\",16,12\n C: \"OO\",15,16\n C: \"OO\",34,31\n C: \"OP\",34,16, \"DeformPercent\"\n"
+                 " C: \"OP\",42,34, \"d|DeformPercent\"\n C: \"OP\",33,13");
+  const Model model = model_of("plate.fbx", text);
+  CHECK(model.warnings.empty());
+  // The first target has keys at 0 and 2, the second at .5 and 1.
+  for (const auto& [time, low] : std::vector<std::pair<double, double>>{
+           {0, -80}, {.25, -80}, {.5, -80}, {.75, -60}, {1, -40}, {2, -40}}) {
+    CAPTURE(time);
+    const auto found = plate_corners(model, time);
+    CHECK(found[0].z == Approx(low).margin(1e-3));
+    CHECK(found[1].z == Approx(25 * time).margin(1e-3));
+  }
+}
+
+TEST_CASE("scenes: a skin of FBX holds the mesh where the geometric transform of 3ds Max puts it") {
+  const std::string ones = "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1";
+  std::string text = changed(fbx_plate(), " Model: 20,", R"( Deformer: 50, "Deformer::skin", "Skin" {
+  Version: 101
+ }
+ Deformer: 51, "SubDeformer::bone", "Cluster" {
+  Version: 100
+  Indexes: *3 { a: 0,1,2 }
+  Weights: *3 { a: 1,1,1 }
+  Transform: *16 { a: )" + ones + R"( }
+  TransformLink: *16 { a: )" + ones + R"( }
+ }
+ Model: 52, "Model::bone", "LimbNode" {
+  Version: 232
+ }
+ Model: 20,)");
+  text = changed(text, "P: \"RotationPivot\"",
+                 "P: \"GeometricTranslation\", \"Vector3D\", \"Vector\", \"\",0,0,7\n"
+                 "P: \"GeometricScaling\", \"Vector3D\", \"Vector\", \"\",2,1,1\nP: \"RotationPivot\"");
+  text = changed(text, " C: \"OO\",12,10",
+                 " C: \"OO\",50,10\n C: \"OO\",51,50\n C: \"OO\",52,51\n C: \"OO\",52,0\n C: \"OO\",12,10");
+  const auto found = plate_corners(model_of("plate.fbx", text), 0);
+  CHECK(length(found[0] - Vec3{0, 0, 7}) < 1e-3);
+  CHECK(length(found[1] - Vec3{200, 0, 7}) < 1e-3);
+  CHECK(length(found[2] - Vec3{0, 100, 7}) < 1e-3);
+}
+
 TEST_CASE("scenes: models of others are where the loader's own scene is in each frame") {
   const std::string folder = "/usr/share/assimp/models/";
   if (!std::filesystem::exists(folder)) return;

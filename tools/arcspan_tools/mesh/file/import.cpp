@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/collada_text.hpp>
+#include <arcspan_tools/mesh/file/fbx_chains.hpp>
 #include <arcspan_tools/mesh/file/file_mesh.hpp>
 #include <arcspan_tools/mesh/file/import.hpp>
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
@@ -23,6 +24,7 @@
 #include <new>
 #include <optional>
 #include <set>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -134,7 +136,9 @@ class SceneDump {
 
   nlohmann::json json() {
     list_nodes();
-    const aiMatrix4x4 space = format_ == MeshFormat::kFbx ? space_of_fbx(scene_) : aiMatrix4x4();
+    const bool is_fbx = format_ == MeshFormat::kFbx;
+    const aiMatrix4x4 space = is_fbx ? space_of_fbx(scene_) : aiMatrix4x4();
+    if (is_fbx) joined_ = joined_chains(scene_);
     nlohmann::json out{{"nodes", nlohmann::json::array()},
                        {"meshes", nlohmann::json::array()},
                        {"instances", nlohmann::json::array()},
@@ -142,7 +146,9 @@ class SceneDump {
                        {"clips", nlohmann::json::array()}};
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const aiNode& node = *nodes_[i];
-      const aiMatrix4x4 matrix = i == 0 ? space * node.mTransformation : node.mTransformation;
+      const auto joined = joined_.find(&node);
+      const aiMatrix4x4 own = joined == joined_.end() ? node.mTransformation : joined->second.place;
+      const aiMatrix4x4 matrix = i == 0 ? space * own : own;
       out["nodes"].push_back(
           {{"name", node.mName.C_Str()}, {"parent", parents_[i]}, {"matrix", matrix_of(matrix)}});
       for (unsigned k = 0; k < node.mNumMeshes; ++k) {
@@ -151,7 +157,8 @@ class SceneDump {
         out["looks"].push_back(look_of(*scene_.mMeshes[mesh], node));
       }
     }
-    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) out["meshes"].push_back(mesh_of(*scene_.mMeshes[i]));
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i)
+      out["meshes"].push_back(mesh_of(*scene_.mMeshes[i], space_of_mesh(i)));
     for (unsigned i = 0; i < scene_.mNumAnimations; ++i)
       out["clips"].push_back(clip_of(*scene_.mAnimations[i]));
     out["pictures"] = pictures_;
@@ -268,7 +275,17 @@ class SceneDump {
     pictures_[name.C_Str()] = binary_of(std::vector<std::uint8_t>(bytes, bytes + picture->mWidth));
   }
 
-  nlohmann::json mesh_of(const aiMesh& mesh) {
+  /// From a mesh to the space that the library's joints are for.
+  [[nodiscard]] aiMatrix4x4 space_of_mesh(unsigned mesh) const {
+    if (format_ != MeshFormat::kFbx || !scene_.mMeshes[mesh]->HasBones()) return {};
+    for (const aiNode* node : nodes_) {
+      const std::span<const unsigned> meshes(node->mMeshes, node->mNumMeshes);
+      if (std::find(meshes.begin(), meshes.end(), mesh) != meshes.end()) return geometric_transform(*node);
+    }
+    return {};
+  }
+
+  nlohmann::json mesh_of(const aiMesh& mesh, const aiMatrix4x4& space) {
     nlohmann::json out{{"positions", vectors(mesh.mVertices, mesh.mNumVertices)},
                        {"joints", nlohmann::json::array()},
                        {"targets", nlohmann::json::array()}};
@@ -284,7 +301,7 @@ class SceneDump {
     std::vector<std::uint32_t> corners;
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) add_face(corners, mesh, mesh.mFaces[f]);
     out["corners"] = binary_of(corners);
-    for (unsigned i = 0; i < mesh.mNumBones; ++i) add_joint(out["joints"], *mesh.mBones[i]);
+    for (unsigned i = 0; i < mesh.mNumBones; ++i) add_joint(out["joints"], *mesh.mBones[i], space);
     for (unsigned i = 0; i < mesh.mNumAnimMeshes; ++i) {
       const aiAnimMesh& target = *mesh.mAnimMeshes[i];
       nlohmann::json& json = out["targets"].emplace_back(nlohmann::json::object());
@@ -311,7 +328,7 @@ class SceneDump {
     }
   }
 
-  void add_joint(nlohmann::json& joints, const aiBone& bone) {
+  void add_joint(nlohmann::json& joints, const aiBone& bone, const aiMatrix4x4& space) {
     const std::int64_t node = number_of(bone.mName.C_Str());
     if (node < 0) return leave_out("joints that are not in the scene");
     std::vector<std::uint32_t> vertices;
@@ -321,7 +338,7 @@ class SceneDump {
       weights.push_back(bone.mWeights[i].mWeight);
     }
     joints.push_back({{"node", node},
-                      {"inverse_bind", matrix_of(bone.mOffsetMatrix)},
+                      {"inverse_bind", matrix_of(bone.mOffsetMatrix * space)},
                       {"vertices", binary_of(vertices)},
                       {"weights", binary_of(weights)}});
   }
@@ -338,10 +355,13 @@ class SceneDump {
         leave_out("animated nodes that are not in the scene");
         continue;
       }
+      const auto joined = joined_.find(nodes_[static_cast<std::size_t>(node)]);
+      const aiQuaternion after = joined == joined_.end() ? aiQuaternion() : joined->second.after;
       add_channel(channels, node, ChannelPath::kTranslation, channel.mPositionKeys, channel.mNumPositionKeys,
                   vector);
       add_channel(channels, node, ChannelPath::kRotation, channel.mRotationKeys, channel.mNumRotationKeys,
-                  [](const aiQuaternion& q) {
+                  [after](const aiQuaternion& key) {
+                    const aiQuaternion q = key * after;
                     return std::vector<double>{q.x, q.y, q.z, q.w};
                   });
       add_channel(channels, node, ChannelPath::kScale, channel.mScalingKeys, channel.mNumScalingKeys, vector);
@@ -370,6 +390,33 @@ class SceneDump {
                         {"values", binary_of(values)}});
   }
 
+  struct MorphKey {  // as the library's other keys are
+    double mTime;
+    std::vector<double> mValue;
+    std::vector<bool> is_set;
+  };
+
+  /// A key of the library names only the targets that have a key at its time. At the keys of others a target
+  /// is on its way between its own.
+  static void fill_gaps(std::vector<MorphKey>& keys, std::size_t target) {
+    std::optional<std::size_t> last;
+    const auto fill = [&](std::size_t end, std::size_t next) {
+      const MorphKey& from = keys[last.value_or(next)];
+      const MorphKey& to = keys[next];
+      for (std::size_t i = last ? *last + 1 : 0; i < end; ++i) {
+        const double span = to.mTime - from.mTime;
+        const double share = span > 0 ? (keys[i].mTime - from.mTime) / span : 0;
+        keys[i].mValue[target] = from.mValue[target] + share * (to.mValue[target] - from.mValue[target]);
+      }
+    };
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      if (!keys[i].is_set[target]) continue;
+      fill(i, i);
+      last = i;
+    }
+    if (last) fill(keys.size(), *last);
+  }
+
   void add_morph_channel(nlohmann::json& channels, const aiMeshMorphAnim& channel) {
     const std::string name = channel.mName.C_Str();
     const std::int64_t node = number_of(name.substr(0, name.rfind('*')));  // the library adds *0, *1...
@@ -377,18 +424,17 @@ class SceneDump {
     if (at == nullptr || at->mNumMeshes == 0) return leave_out("animated meshes that are not in the scene");
     const std::size_t targets =
         std::min<std::size_t>(scene_.mMeshes[at->mMeshes[0]]->mNumAnimMeshes, kMostMorphTargets);
-    struct Key {  // as the library's other keys are
-      double mTime;
-      std::vector<double> mValue;
-    };
-    std::vector<Key> keys;
+    std::vector<MorphKey> keys;
     for (unsigned i = 0; i < channel.mNumKeys; ++i) {
       const aiMeshMorphKey& key = channel.mKeys[i];
-      keys.push_back({key.mTime, std::vector<double>(targets)});
+      keys.push_back({key.mTime, std::vector<double>(targets), std::vector<bool>(targets)});
       for (unsigned k = 0; k < key.mNumValuesAndWeights; ++k) {
-        if (key.mValues[k] < targets) keys.back().mValue[key.mValues[k]] = key.mWeights[k];
+        if (key.mValues[k] >= targets) continue;
+        keys.back().mValue[key.mValues[k]] = key.mWeights[k];
+        keys.back().is_set[key.mValues[k]] = true;
       }
     }
+    for (std::size_t target = 0; target < targets; ++target) fill_gaps(keys, target);
     add_channel(channels, node, ChannelPath::kMorphWeights, keys.data(), static_cast<unsigned>(keys.size()),
                 [](const std::vector<double>& weights) { return weights; });
   }
@@ -399,6 +445,7 @@ class SceneDump {
   bool has_numbered_sets_;  ///< materials tell by with_numbered_sets() which texture coordinates they use
   std::vector<const aiNode*> nodes_{};
   std::vector<std::int64_t> parents_{};
+  std::map<const aiNode*, JoinedChain> joined_{};
   std::map<std::string, std::size_t> numbers_{};  ///< of the first node of each name
   std::set<std::string> shared_names_{};
   std::set<std::string> ambiguous_{};  ///< shared names that something refers to

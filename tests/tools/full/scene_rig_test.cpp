@@ -308,6 +308,77 @@ TEST_CASE("scenes: a skin of FBX holds the mesh where the geometric transform of
   CHECK(length(found[2] - Vec3{0, 100, 7}) < 1e-3);
 }
 
+TEST_CASE("scenes: a texture of FBX is mapped by the set of texture coordinates that it names") {
+  const auto set = [](int number, const std::string& name, const std::string& points) {
+    const std::string i = std::to_string(number);
+    return "  LayerElementUV: " + i + " {\n Version: 101\n Name: \"" + name +
+           "\"\n MappingInformationType: \"ByPolygonVertex\"\n ReferenceInformationType: \"Direct\"\n"
+           " UV: *6 { a: " +
+           points + " }\n }\n  Layer: " + i +
+           " {\n Version: 100\n LayerElement: {\n Type: \"LayerElementUV\"\n TypedIndex: " + i + "\n }\n" +
+           (number == 0 ? " LayerElement: {\n Type: \"LayerElementMaterial\"\n TypedIndex: 0\n }\n" : "") +
+           " }\n";
+  };
+  const std::string other = "0,0,0,0,0,0";
+  const std::string named = "0,1,0.5,1,0,0.25";
+  const std::string material =
+      "  LayerElementMaterial: 0 {\n Version: 101\n Name: \"\"\n MappingInformationType: \"AllSame\"\n"
+      " ReferenceInformationType: \"IndexToDirect\"\n Materials: *1 { a: 0 }\n }\n";
+  const std::string plain =
+      "  Vertices: *9 { a: 0,0,0,100,0,0,0,100,0 }\n"
+      "  PolygonVertexIndex: *3 { a: 0,1,-3 }\n  GeometryVersion: 124\n";
+  // The second mesh has the sets in the other order.
+  std::string text =
+      changed(fbx_plate(), "  GeometryVersion: 124\n",
+              "  GeometryVersion: 124\n" + material + set(0, "light", other) + set(1, "skin", named));
+  text = changed(text, " Model: 20,",
+                 " Geometry: 60, \"Geometry::second\", \"Mesh\" {\n" + plain + material +
+                     set(0, "skin", named) + set(1, "light", other) + R"( }
+ Model: 61, "Model::second", "Mesh" {
+  Version: 232
+ }
+ Material: 62, "Material::paint", "" {
+  Version: 102
+  ShadingModel: "phong"
+ }
+ Texture: 63, "Texture::paint", "" {
+  Properties70: {
+   P: "UVSet", "KString", "", "", "skin"
+  }
+  FileName: "paint.ppm"
+  RelativeFilename: "paint.ppm"
+ }
+ Model: 20,)");
+  text = changed(text, " C: \"OO\",12,10",
+                 " C: \"OO\",61,0\n C: \"OO\",60,61\n C: \"OO\",62,61\n C: \"OO\",62,20\n"
+                 " C: \"OP\",63,62, \"DiffuseColor\"\n C: \"OO\",12,10");
+  const TemporaryFolder folder;
+  (void)folder.file("paint.ppm", "P6 1 1 255\n\x9\x9\x9");
+  const Model model = load_model_file(folder.file("plate.fbx", text));
+  CHECK(model.warnings == std::vector<std::string>{});
+  REQUIRE(model.parts.size() == 2);
+  for (const ModelPart& part : model.parts) {
+    REQUIRE(part.mesh.texture_points.size() == 3);
+    std::vector<Uv> found;
+    for (const std::uint32_t i : part.mesh.triangles.at(0)) found.push_back(part.mesh.texture_points[i]);
+    CHECK(found == std::vector<Uv>{{0, 0}, {.5, 0}, {0, .75}});
+  }
+}
+
+TEST_CASE("scenes: meshes and normals of FBX that cannot be read are left out, and a line says so") {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("plate.fbx", changed(fbx_plate(), "a: 0,1,-3", "a: 0,9,-3"));
+  CHECK(message_of<Failure>([&] { (void)load_model_file(file); }) ==
+        file + ": no faces; left out: meshes with a face index out of range (1)");
+  const std::string normals =
+      "  LayerElementNormal: 0 {\n Version: 101\n Name: \"\"\n MappingInformationType: \"AllSame\"\n"
+      " ReferenceInformationType: \"Direct\"\n Normals: *3 { a: 0,0,1 }\n }\n  Layer: 0 {\n Version: 100\n"
+      " LayerElement: {\n Type: \"LayerElementNormal\"\n TypedIndex: 0\n }\n }\n";
+  const std::string version = "  GeometryVersion: 124\n";
+  CHECK(model_of("plate.fbx", changed(fbx_plate(), version, version + normals)).warnings ==
+        std::vector<std::string>{"left out: normals and the like in an unknown order (1)"});
+}
+
 TEST_CASE("scenes: models of others are where the loader's own scene is in each frame") {
   const std::string folder = "/usr/share/assimp/models/";
   if (!std::filesystem::exists(folder)) return;

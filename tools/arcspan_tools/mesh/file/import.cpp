@@ -108,7 +108,10 @@ class LossLog : public Assimp::NullLogger {
   void count(std::string_view message) {
     constexpr std::pair<std::string_view, const char*> kLosses[] = {
         {"Unable to find geometry for ID", "meshes that are not in the file or have shape keys of Collada"},
-        {"Unable to resolve reference to instanced node", "nodes that are not in the file"}};
+        {"Unable to resolve reference to instanced node", "nodes that are not in the file"},
+        {"polygon vertex index out of range", "meshes with a face index out of range"},
+        {"ignoring vertex data channel", "normals and the like in an unknown order"},
+        {"length of input data unexpected", "normals and the like in an unknown order"}};
     for (const auto& [words, kind] : kLosses) {
       if (message.find(words) != std::string_view::npos) ++counts_[kind];
     }
@@ -264,7 +267,23 @@ class SceneDump {
     const auto type = drawn_texture(material);
     int set = 0;
     if (!type || material.Get(AI_MATKEY_UVWSRC(*type, 0), set) != aiReturn_SUCCESS || set < 0) return 0;
-    return mesh.HasTextureCoords(static_cast<unsigned>(set)) ? static_cast<unsigned>(set) : 0;
+    auto number = static_cast<unsigned>(set);
+    if (format_ == MeshFormat::kFbx) number = set_in(mesh, number);
+    return mesh.HasTextureCoords(number) ? number : 0;
+  }
+
+  /// Textures of FBX name a set. The library looks up its number in the first mesh of the material only.
+  [[nodiscard]] unsigned set_in(const aiMesh& mesh, unsigned number) const {
+    const aiMesh& first =
+        **std::find_if(scene_.mMeshes, scene_.mMeshes + scene_.mNumMeshes,
+                       [&](const aiMesh* m) { return m->mMaterialIndex == mesh.mMaterialIndex; });
+    if (!first.HasTextureCoordsName(number)) return number;
+    for (unsigned i = 0; mesh.HasTextureCoords(i); ++i) {
+      if (mesh.HasTextureCoordsName(i) &&
+          *mesh.GetTextureCoordsName(i) == *first.GetTextureCoordsName(number))
+        return i;
+    }
+    return 0;
   }
 
   /// Keeps the bytes of a picture that the file holds.
@@ -442,7 +461,7 @@ class SceneDump {
   const aiScene& scene_;
   MeshFormat format_;
   LeftOutCounts left_out_;
-  bool has_numbered_sets_;  ///< materials tell by with_numbered_sets() which texture coordinates they use
+  bool has_numbered_sets_;  ///< materials tell which texture coordinates they use
   std::vector<const aiNode*> nodes_{};
   std::vector<std::int64_t> parents_{};
   std::map<const aiNode*, JoinedChain> joined_{};
@@ -480,7 +499,8 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, wanted);
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
   std::string cbor;
-  nlohmann::json::to_cbor(SceneDump(*scene, format, lost, is_text).json(), cbor);
+  const bool has_sets = is_text || format == MeshFormat::kFbx;
+  nlohmann::json::to_cbor(SceneDump(*scene, format, lost, has_sets).json(), cbor);
   return cbor;
 }
 

@@ -363,6 +363,11 @@ TEST_CASE("scenes: a texture of FBX is mapped by the set of texture coordinates 
     for (const std::uint32_t i : part.mesh.triangles.at(0)) found.push_back(part.mesh.texture_points[i]);
     CHECK(found == std::vector<Uv>{{0, 0}, {.5, 0}, {0, .75}});
   }
+  // The scale of a texture is not drawn, and that is said.
+  text = changed(text, "   P: \"UVSet\"",
+                 "   P: \"Scaling\", \"Vector3D\", \"Vector\", \"\",2,2,1\n   P: \"UVSet\"");
+  CHECK(load_model_file(folder.file("tiled.fbx", text)).warnings ==
+        std::vector<std::string>{"left out: scales, shifts and turns of textures (2)"});
 }
 
 TEST_CASE("scenes: meshes and normals of FBX that cannot be read are left out, and a line says so") {

@@ -247,9 +247,16 @@ class SceneDump {
     const auto type = drawn_texture(material);
     if (type && material.GetTexture(*type, 0, &text) == aiReturn_SUCCESS) {
       look["texture"] = text.C_Str();
+      if (is_fbx && moves_texture(material, *type)) leave_out("scales, shifts and turns of textures");
       add_picture(text);
     }
     return look;
+  }
+
+  [[nodiscard]] static bool moves_texture(const aiMaterial& material, aiTextureType type) {
+    aiUVTransform is;
+    if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), is) != aiReturn_SUCCESS) return false;
+    return is.mTranslation != aiVector2D() || is.mScaling != aiVector2D(1, 1) || is.mRotation != 0;
   }
 
   [[nodiscard]] std::optional<aiTextureType> drawn_texture(const aiMaterial& material) const {

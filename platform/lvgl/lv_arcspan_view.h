@@ -36,7 +36,8 @@ lv_obj_t* lv_arcspan_view_create(lv_obj_t* parent);
 /* Shows a scene, or none (NULL). The former one must stay until the next refresh, or until the widget is
  * deleted. Several widgets may show one scene: when one of them turns an object of it, call
  * lv_arcspan_view_update() for the others before the next refresh, or, if that one is hidden, before the
- * refresh that shows it. The widgets may be on other displays, if all of those were created before them. */
+ * refresh that shows it and after each snapshot of it. The widgets may be on other displays, if all of those
+ * were created before them. */
 void lv_arcspan_view_set_scene(lv_obj_t* obj, arcspan_scene* scene);
 void lv_arcspan_view_set_camera(lv_obj_t* obj, const lv_arcspan_camera_t* camera);
 

@@ -232,6 +232,11 @@ TEST_CASE("what cannot be read of a character is one line") {
   CHECK(fbx.status != 0);
   CHECK(fbx.err.find("a.fbx: cannot be read: ") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(folder / "a.bin"));
+  const std::string old =
+      "; FBX 6.1.0\nFBXHeaderExtension: {\nFBXVersion: 6100\n}\nObjects: {\n}\nConnections: {\n}\n";
+  CHECK(run("mesh " + folder.file("b.fbx", old) + " -o " + (folder / "b.bin")).err ==
+        "arcspan: " + (folder / "b.fbx") +
+            ": FBX before version 7.1 cannot be read; export it as FBX 2011 or later\n");
 }
 
 TEST_CASE("mesh keeps clips, or bakes a pose") {

@@ -482,6 +482,8 @@ class SceneDump {
 /// The library's complaint. Its exceptions of the standard library say nothing to a user.
 std::string complaint(const std::string& text) {
   if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+  if (text.find("unsupported, old format version") != std::string::npos)
+    return "FBX before version 7.1 cannot be read; export it as FBX 2011 or later";
   const bool is_sentence = text.find(' ') != std::string::npos && text.find("::") == std::string::npos;
   return "cannot be read: " + (is_sentence ? text : "damaged");
 }

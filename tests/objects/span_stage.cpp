@@ -29,12 +29,13 @@ ARCSPAN_SPAN_INSTANTIATE(Ghost, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Flat<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Gouraud<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn1>, Rgb565, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong4>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn4>, Rgb888, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(Arc<Coloured4>, Gray8, NoDepth);
-ARCSPAN_SPAN_INSTANTIATE(Gouraud<Blinn1>, Gray4, NoDepth);
-ARCSPAN_SPAN_INSTANTIATE(Gouraud<Blinn1>, Dithered<Mono>, NoDepth);
-ARCSPAN_SPAN_INSTANTIATE(Gouraud<Blinn1>, Dithered<Rgb565>, DepthBuffer);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Gray4, NoDepth);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Dithered<Mono>, NoDepth);
+ARCSPAN_SPAN_INSTANTIATE(Arc<Phong1>, Dithered<Rgb565>, DepthBuffer);
 
 // The runs of small triangles, by the shading method's surfaces.
 template <class Surface, class Lighting, class Format, class Depth>

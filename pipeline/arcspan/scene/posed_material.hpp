@@ -42,7 +42,7 @@ class PosedMaterial : public SceneMaterial {
  public:
   template <class M>
   constexpr PosedMaterial(const PreparedMaterial<M>& material, const Mesh& mesh)
-      : SceneMaterial(detail::kUseFacts<Posed<typename detail::UseOf<M>::Type, Mesh>>, {}),
+      : SceneMaterial(detail::kUseFacts<Posed<typename detail::UseOf<M>::Type, Mesh>>),
         material_(&material),
         mesh_(&mesh) {}
   // They are referred to.
@@ -51,8 +51,6 @@ class PosedMaterial : public SceneMaterial {
   template <class M>
   PosedMaterial(const PreparedMaterial<M>&, Mesh&&) = delete;
 
-  /// Those of the PreparedMaterial, which may be made again meanwhile.
-  [[nodiscard]] constexpr const DrawOptions& options() const { return material_->options(); }
   /// @cond for draw_scene(), not in the reference
   [[nodiscard]] constexpr const SceneMaterial& material() const { return *material_; }
   [[nodiscard]] constexpr const Mesh& mesh() const { return *mesh_; }

@@ -109,18 +109,14 @@ class SceneMaterial {
   /// @cond for draw_mesh() and draw_scene(), not in the reference
   [[nodiscard]] constexpr const detail::UseFacts* use() const { return use_; }
   /// @endcond
-  [[nodiscard]] constexpr const DrawOptions& options() const { return options_; }
 
  protected:
   /// @cond for draw_mesh() and draw_scene(), not in the reference
-  constexpr SceneMaterial(const detail::UseFacts& use, const DrawOptions& options)
-      : use_(&use), options_(options) {}
+  constexpr explicit SceneMaterial(const detail::UseFacts& use) : use_(&use) {}
   /// @endcond
-  constexpr void set_options(const DrawOptions& options) { options_ = options; }
 
  private:
   const detail::UseFacts* use_;
-  DrawOptions options_;
 };
 
 /// A material ready for drawing by one shading method: colour ramp, power table and all else that does not
@@ -164,8 +160,9 @@ class PreparedMaterial : public SceneMaterial {
                                                                                 !Used::kChangingLight)
       : PreparedMaterial(lighting, options, Unchecked{}) {}
   /// Black. A place for make().
-  constexpr PreparedMaterial() : SceneMaterial(detail::kUseFacts<Used>, {}), lighting_{} {}
+  constexpr PreparedMaterial() : SceneMaterial(detail::kUseFacts<Used>), lighting_{} {}
 
+  [[nodiscard]] constexpr const DrawOptions& options() const { return options_; }
   [[nodiscard]] constexpr const Lighting& lighting() const { return lighting_; }
   /// Illumination::set_tolerance(), which is kDefaultTolerance after make() and of().
   constexpr Status set_tolerance(std::int32_t steps) requires(kIsLit) {
@@ -205,7 +202,7 @@ class PreparedMaterial : public SceneMaterial {
  private:
   struct Unchecked {};
   constexpr PreparedMaterial(const Lighting& lighting, const DrawOptions& options, Unchecked)
-      : SceneMaterial(detail::kUseFacts<Used>, options), lighting_(lighting) {}
+      : SceneMaterial(detail::kUseFacts<Used>), options_(options), lighting_(lighting) {}
 
   struct Nothing {};
   /// The ambient light that the material was made for.
@@ -222,6 +219,7 @@ class PreparedMaterial : public SceneMaterial {
   /// Whether the material was made for these lights, as far as they are part of it.
   [[nodiscard]] constexpr bool is_made_for(const detail::ObjectLights& seen) const;
 
+  DrawOptions options_{};
   Lighting lighting_;
   [[no_unique_address]] std::conditional_t<kSingleLight, MadeForOne,
                                            std::conditional_t<kIsLit, MadeFor, Nothing>>
@@ -275,7 +273,7 @@ constexpr Status PreparedMaterial<M>::make(const Material& material, const Light
   if (!ok(status)) return status;
   detail::relight(prepared.lighting_, illumination);
   (void)prepared.set_tolerance(kDefaultTolerance);
-  prepared.set_options(options);
+  prepared.options_ = options;
   prepared.made_for_.ambient = lights.ambient;
   if constexpr (kSingleLight) {
     prepared.made_for_.weights = detail::channel_weights(all[0]);

@@ -51,10 +51,10 @@ void draw_unculled(const Scene& scene, Canvas& canvas) {
         REQUIRE(ok(draw_mesh<Unlit>(mesh, transform, kRed.lighting(), canvas.picture, canvas.depth).status));
       } else {
         SceneLighting lighting;
-        REQUIRE(
-            ok(static_cast<const PreparedMaterial<SceneMethod>*>(part.material)->light(lights, lighting)));
+        const auto& material = *static_cast<const PreparedMaterial<SceneMethod>*>(part.material);
+        REQUIRE(ok(material.light(lights, lighting)));
         REQUIRE(ok(draw_mesh<SceneMethod>(mesh, transform, lighting, canvas.picture, canvas.depth, {},
-                                          part.material->options())
+                                          material.options())
                        .status));
       }
     }

@@ -288,7 +288,6 @@ TEST_CASE("a posed object is drawn by the options that its material was last mad
   REQUIRE(
       ok(PreparedMaterial<SceneMethod>::make(matter(kFull, kFull, kFull), kLights, {true}, poses.copper)));
   const PosedMaterial<Disguise> after(poses.copper, disguise);
-  CHECK(before.options().two_sided);
   const TestNeighbours neighbours(half);
   const OutlinedMesh outlined[] = {{&half, &neighbours.view}};
   std::vector<TriangleSide> sides(200);

@@ -82,7 +82,8 @@ void add_alone(const Meshes& meshes, const Camera& camera, const Object& object,
     const Part part = object.part(i);
     std::vector<TriangleSide> of_part(part.count);
     REQUIRE(ok(find_sides<Unlit>(mesh.part(part.first, part.count), transform, Unlit::lighting({}), NoCache{},
-                                 of_part, part.material->options())));
+                                 of_part,
+                                 static_cast<const PreparedMaterial<Unlit>*>(part.material)->options())));
     std::copy(of_part.begin(), of_part.end(), sides.begin() + static_cast<std::ptrdiff_t>(part.first));
   }
   const auto& neighbours = &mesh == &meshes.ball_mesh ? meshes.ball_neighbours : meshes.lump_neighbours;

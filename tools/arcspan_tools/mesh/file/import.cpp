@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_tools/mesh/file/collada_text.hpp>
-#include <arcspan_tools/mesh/file/fbx_chains.hpp>
+#include <arcspan_tools/mesh/file/fbx_scene.hpp>
 #include <arcspan_tools/mesh/file/file_mesh.hpp>
 #include <arcspan_tools/mesh/file/import.hpp>
+#include <arcspan_tools/mesh/file/loss_log.hpp>
+#include <arcspan_tools/mesh/file/morph_keys.hpp>
 #include <arcspan_tools/mesh/plain/mesh_data.hpp>
 #include <arcspan_tools/mesh/plain/rig.hpp>
 #include <arcspan_tools/mesh/plain/triangulate.hpp>
 #include <arcspan_tools/support/failure.hpp>
 #include <assimp/BaseImporter.h>
-#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
-#include <assimp/NullLogger.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <nlohmann/json.hpp>
@@ -73,75 +73,17 @@ nlohmann::json matrix_of(const aiMatrix4x4& m) {
                                        m.a4, m.b4, m.c4, m.d4});
 }
 
-/// From the axes and units that an FBX file states to ours: y up, z to the viewer, metres.
-aiMatrix4x4 space_of_fbx(const aiScene& scene) {
-  aiMatrix4x4 space;
-  if (scene.mMetaData == nullptr) return space;
-  float centimetres = 1;
-  if (!scene.mMetaData->Get("UnitScaleFactor", centimetres) || !(centimetres > 0)) centimetres = 1;
-  aiMatrix3x3 axes(0, 0, 0, 0, 0, 0, 0, 0, 0);
-  const std::array<const char*, 3> names = {"CoordAxis", "UpAxis", "FrontAxis"};
-  for (unsigned row = 0; row < names.size(); ++row) {
-    std::int32_t axis = -1;
-    std::int32_t sign = 1;
-    (void)scene.mMetaData->Get(names[row], axis);
-    (void)scene.mMetaData->Get(std::string(names[row]) + "Sign", sign);
-    if (axis >= 0 && axis < 3) axes[row][axis] = sign < 0 ? -1 : 1;
-  }
-  if (axes.Determinant() > 0.5) space = aiMatrix4x4(axes);  // else the stated axes are ignored as wrong
-  const auto metres = static_cast<ai_real>(centimetres / 100);
-  aiMatrix4x4 scale;
-  return aiMatrix4x4::Scaling({metres, metres, metres}, scale) * space;
-}
-
-using LeftOutCounts = std::map<std::string, std::size_t>;
-
-/// Counts what the library leaves out of a scene and tells its log only.
-class LossLog : public Assimp::NullLogger {
- public:
-  explicit LossLog(LeftOutCounts& counts) : counts_(counts) {}
-
-  void OnWarn(const char* message) override { count(message); }
-  void OnError(const char* message) override { count(message); }
-
- private:
-  void count(std::string_view message) {
-    constexpr std::pair<std::string_view, const char*> kLosses[] = {
-        {"Unable to find geometry for ID", "meshes that are not in the file or have shape keys of Collada"},
-        {"Unable to resolve reference to instanced node", "nodes that are not in the file"},
-        {"polygon vertex index out of range", "meshes with a face index out of range"},
-        {"ignoring vertex data channel", "normals and the like in an unknown order"},
-        {"length of input data unexpected", "normals and the like in an unknown order"}};
-    for (const auto& [words, kind] : kLosses) {
-      if (message.find(words) != std::string_view::npos) ++counts_[kind];
-    }
-  }
-
-  LeftOutCounts& counts_;
-};
-
-/// Has the library's log written to a LossLog.
-class WithLossLog {
- public:
-  explicit WithLossLog(LeftOutCounts& counts) {
-    Assimp::DefaultLogger::set(new LossLog(counts));  // the library deletes it
-  }
-  WithLossLog(const WithLossLog&) = delete;
-  WithLossLog& operator=(const WithLossLog&) = delete;
-  ~WithLossLog() { Assimp::DefaultLogger::set(nullptr); }
-};
-
 /// Turns a scene of the library into JSON.
 class SceneDump {
  public:
-  SceneDump(const aiScene& scene, MeshFormat format, const LeftOutCounts& lost, bool has_numbered_sets)
-      : scene_(scene), format_(format), left_out_(lost), has_numbered_sets_(has_numbered_sets) {}
+  SceneDump(const aiScene& scene, MeshFormat format, const LeftOutCounts& lost, bool knows_sets)
+      : scene_(scene), format_(format), left_out_(lost), knows_sets_(knows_sets) {}
 
   nlohmann::json json() {
     list_nodes();
     const bool is_fbx = format_ == MeshFormat::kFbx;
-    const aiMatrix4x4 space = is_fbx ? space_of_fbx(scene_) : aiMatrix4x4();
-    if (is_fbx) joined_ = joined_chains(scene_);
+    const aiMatrix4x4 space = is_fbx ? fbx_space(scene_) : aiMatrix4x4();
+    if (is_fbx) joined_ = joined_fbx_nodes(scene_);
     nlohmann::json out{{"nodes", nlohmann::json::array()},
                        {"meshes", nlohmann::json::array()},
                        {"instances", nlohmann::json::array()},
@@ -150,7 +92,7 @@ class SceneDump {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const aiNode& node = *nodes_[i];
       const auto joined = joined_.find(&node);
-      const aiMatrix4x4 own = joined == joined_.end() ? node.mTransformation : joined->second.place;
+      const aiMatrix4x4 own = joined == joined_.end() ? node.mTransformation : joined->second.transform;
       const aiMatrix4x4 matrix = i == 0 ? space * own : own;
       out["nodes"].push_back(
           {{"name", node.mName.C_Str()}, {"parent", parents_[i]}, {"matrix", matrix_of(matrix)}});
@@ -269,7 +211,7 @@ class SceneDump {
 
   /// Which texture coordinates of a mesh its texture refers to.
   [[nodiscard]] unsigned texture_set_of(const aiMesh& mesh) const {
-    if (!has_numbered_sets_ || mesh.mMaterialIndex >= scene_.mNumMaterials) return 0;
+    if (!knows_sets_ || mesh.mMaterialIndex >= scene_.mNumMaterials) return 0;
     const aiMaterial& material = *scene_.mMaterials[mesh.mMaterialIndex];
     const auto type = drawn_texture(material);
     int set = 0;
@@ -416,33 +358,6 @@ class SceneDump {
                         {"values", binary_of(values)}});
   }
 
-  struct MorphKey {  // as the library's other keys are
-    double mTime;
-    std::vector<double> mValue;
-    std::vector<bool> is_set;
-  };
-
-  /// A key of the library names only the targets that have a key at its time. At the keys of others a target
-  /// is on its way between its own.
-  static void fill_gaps(std::vector<MorphKey>& keys, std::size_t target) {
-    std::optional<std::size_t> last;
-    const auto fill = [&](std::size_t end, std::size_t next) {
-      const MorphKey& from = keys[last.value_or(next)];
-      const MorphKey& to = keys[next];
-      for (std::size_t i = last ? *last + 1 : 0; i < end; ++i) {
-        const double span = to.mTime - from.mTime;
-        const double share = span > 0 ? (keys[i].mTime - from.mTime) / span : 0;
-        keys[i].mValue[target] = from.mValue[target] + share * (to.mValue[target] - from.mValue[target]);
-      }
-    };
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (!keys[i].is_set[target]) continue;
-      fill(i, i);
-      last = i;
-    }
-    if (last) fill(keys.size(), *last);
-  }
-
   void add_morph_channel(nlohmann::json& channels, const aiMeshMorphAnim& channel) {
     const std::string name = channel.mName.C_Str();
     const std::int64_t node = number_of(name.substr(0, name.rfind('*')));  // the library adds *0, *1...
@@ -457,10 +372,10 @@ class SceneDump {
       for (unsigned k = 0; k < key.mNumValuesAndWeights; ++k) {
         if (key.mValues[k] >= targets) continue;
         keys.back().mValue[key.mValues[k]] = key.mWeights[k];
-        keys.back().is_set[key.mValues[k]] = true;
+        keys.back().is_given[key.mValues[k]] = true;
       }
     }
-    for (std::size_t target = 0; target < targets; ++target) fill_gaps(keys, target);
+    fill_in_weights(keys);
     add_channel(channels, node, ChannelPath::kMorphWeights, keys.data(), static_cast<unsigned>(keys.size()),
                 [](const std::vector<double>& weights) { return weights; });
   }
@@ -468,10 +383,10 @@ class SceneDump {
   const aiScene& scene_;
   MeshFormat format_;
   LeftOutCounts left_out_;
-  bool has_numbered_sets_;  ///< materials tell which texture coordinates they use
+  bool knows_sets_;  ///< whether materials tell which texture coordinates they use
   std::vector<const aiNode*> nodes_{};
   std::vector<std::int64_t> parents_{};
-  std::map<const aiNode*, JoinedChain> joined_{};
+  std::map<const aiNode*, JoinedNode> joined_{};
   std::map<std::string, std::size_t> numbers_{};  ///< of the first node of each name
   std::set<std::string> shared_names_{};
   std::set<std::string> ambiguous_{};  ///< shared names that something refers to
@@ -508,8 +423,8 @@ std::string import_scene(std::string_view bytes, MeshFormat format, const std::s
   const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, wanted);
   if (scene == nullptr) throw Failure(subject, complaint(importer.GetErrorString()));
   std::string cbor;
-  const bool has_sets = is_text || format == MeshFormat::kFbx;
-  nlohmann::json::to_cbor(SceneDump(*scene, format, lost, has_sets).json(), cbor);
+  const bool knows_sets = is_text || format == MeshFormat::kFbx;
+  nlohmann::json::to_cbor(SceneDump(*scene, format, lost, knows_sets).json(), cbor);
   return cbor;
 }
 

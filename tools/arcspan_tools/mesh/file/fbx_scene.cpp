@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <arcspan_tools/mesh/file/fbx_chains.hpp>
+#include <arcspan_tools/mesh/file/fbx_scene.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,14 +12,15 @@
 namespace arcspan::tools {
 namespace {
 
-/// What the name of a node of the chain of `node` says after the node's own name; else empty.
+/// "PreRotation" for a node "X_$AssimpFbx$_PreRotation" that the library split from a node "X"; empty if
+/// `part` was not split from `node`.
 std::string_view part_of_chain(const aiNode& part, const aiNode& node) {
   const std::string start = std::string(node.mName.C_Str()) + "_$AssimpFbx$_";
   const std::string_view name = part.mName.C_Str();
   return name.starts_with(start) ? name.substr(start.size()) : std::string_view{};
 }
 
-/// The chain above a node, from the node on.
+/// The nodes above a node that were split from it, the nearest first.
 std::vector<const aiNode*> chain_above(const aiNode& node) {
   std::vector<const aiNode*> chain;
   for (const aiNode* at = node.mParent; at != nullptr && !part_of_chain(*at, node).empty(); at = at->mParent)
@@ -44,8 +46,28 @@ bool has_pivot(std::string_view part) {
 
 }  // namespace
 
-std::map<const aiNode*, JoinedChain> joined_chains(const aiScene& scene) {
-  std::map<const aiNode*, JoinedChain> joined;
+aiMatrix4x4 fbx_space(const aiScene& scene) {
+  aiMatrix4x4 space;
+  if (scene.mMetaData == nullptr) return space;
+  float centimetres = 1;
+  if (!scene.mMetaData->Get("UnitScaleFactor", centimetres) || !(centimetres > 0)) centimetres = 1;
+  aiMatrix3x3 axes(0, 0, 0, 0, 0, 0, 0, 0, 0);
+  const std::array<const char*, 3> names = {"CoordAxis", "UpAxis", "FrontAxis"};
+  for (unsigned row = 0; row < names.size(); ++row) {
+    std::int32_t axis = -1;
+    std::int32_t sign = 1;
+    (void)scene.mMetaData->Get(names[row], axis);
+    (void)scene.mMetaData->Get(std::string(names[row]) + "Sign", sign);
+    if (axis >= 0 && axis < 3) axes[row][axis] = sign < 0 ? -1 : 1;
+  }
+  if (axes.Determinant() > 0.5) space = aiMatrix4x4(axes);  // else the stated axes are ignored as wrong
+  const auto metres = static_cast<ai_real>(centimetres / 100);
+  aiMatrix4x4 scale;
+  return aiMatrix4x4::Scaling({metres, metres, metres}, scale) * space;
+}
+
+std::map<const aiNode*, JoinedNode> joined_fbx_nodes(const aiScene& scene) {
+  std::map<const aiNode*, JoinedNode> joined;
   const std::set<std::string> moved = moved_names(scene);
   for (const std::string& name : moved) {
     const aiNode* node = scene.mRootNode->FindNode(name.c_str());
@@ -55,10 +77,10 @@ std::map<const aiNode*, JoinedChain> joined_chains(const aiScene& scene) {
       return has_pivot(part_of_chain(*part, *node)) || moved.count(part->mName.C_Str()) != 0;
     });
     if (!is_whole) continue;
-    JoinedChain last{node->mTransformation, {}};
+    JoinedNode last{node->mTransformation, {}};
     for (const aiNode* part : chain) {
       const aiMatrix4x4& own = part->mTransformation;
-      last.place = own * last.place;
+      last.transform = own * last.transform;
       // The library's keys hold the rotation after a node's own where its inverse belongs, which is `own`.
       if (part_of_chain(*part, *node) == "PostRotation") last.after = aiQuaternion(aiMatrix3x3(own * own));
       joined[part] = {};

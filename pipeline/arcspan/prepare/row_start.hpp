@@ -27,8 +27,8 @@ struct SlopeUnit {
  private:
   [[nodiscard]] ARCSPAN_OUTLINE ARCSPAN_COLD constexpr std::uint32_t over_width(const EdgeWalk& left) const {
     const std::uint32_t fine = left.fine_fraction();
-    // The product fits in a row that has a pixel: the pixel's centre lies 2^-19 pixels or more left of the
-    // right edge, both edges are off by at most 2^-21 (EdgeWalk), so `fine` is below twice the width.
+    // The product fits 32 bits if the row has a pixel. Exactly, `fine` is then below the width at the middle
+    // vertex, which is 2^-19 pixels or more. Edges are off by up to 2^-21 (EdgeWalk): it is below twice that.
     const int bits = exponent - 15;  // bits that the width has: 1...32
     const std::uint32_t upper = bits > 16 ? fine >> (bits - 16) : fine << (16 - bits);
     const std::uint32_t fraction = (upper * (mantissa >> 1)) >> 14;

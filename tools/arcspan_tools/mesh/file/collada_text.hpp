@@ -16,9 +16,9 @@ namespace arcspan::tools {
 /// for a mesh's joints in the whole scene and takes the first of each sid, which may be another character's.
 [[nodiscard]] std::size_t count_shared_joints(std::string_view xml);
 
-/// `xml` with numbers in place of the names by which textures refer to texture coordinates (`texcoord`):
-/// which of those that a mesh has, from 0 on, as `bind_vertex_input` says. Assimp reads digits of the name
-/// alone.
+/// `xml` with the name in each texture's `texcoord` replaced by the number of the set that a
+/// `bind_vertex_input` binds to it, less the lowest set of the file; 0 if none does. Of such a name Assimp
+/// reads only digits.
 [[nodiscard]] std::string with_numbered_sets(std::string_view xml);
 
 }  // namespace arcspan::tools

@@ -38,10 +38,11 @@ std::set<std::string> moved_names(const aiScene& scene) {
   return names;
 }
 
-bool has_pivot(std::string_view part) {
+/// Whether a part of a chain is neither about a pivot nor geometric.
+bool is_plain(std::string_view part) {
   constexpr std::array<std::string_view, 5> kPlain = {"Translation", "PreRotation", "Rotation",
                                                       "PostRotation", "Scaling"};
-  return std::find(kPlain.begin(), kPlain.end(), part) == kPlain.end();
+  return std::find(kPlain.begin(), kPlain.end(), part) != kPlain.end();
 }
 
 }  // namespace
@@ -74,14 +75,14 @@ std::map<const aiNode*, JoinedNode> joined_fbx_nodes(const aiScene& scene) {
     if (node == nullptr) continue;
     const std::vector<const aiNode*> chain = chain_above(*node);
     const bool is_whole = std::none_of(chain.begin(), chain.end(), [&](const aiNode* part) {
-      return has_pivot(part_of_chain(*part, *node)) || moved.count(part->mName.C_Str()) != 0;
+      return !is_plain(part_of_chain(*part, *node)) || moved.count(part->mName.C_Str()) != 0;
     });
     if (!is_whole) continue;
     JoinedNode last{node->mTransformation, {}};
     for (const aiNode* part : chain) {
       const aiMatrix4x4& own = part->mTransformation;
       last.transform = own * last.transform;
-      // The library's keys hold the rotation after a node's own where its inverse belongs, which is `own`.
+      // The library's keys hold the PostRotation where its inverse belongs; `own` is that inverse.
       if (part_of_chain(*part, *node) == "PostRotation") last.after = aiQuaternion(aiMatrix3x3(own * own));
       joined[part] = {};
     }

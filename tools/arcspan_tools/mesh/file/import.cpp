@@ -243,7 +243,7 @@ class SceneDump {
     pictures_[name.C_Str()] = binary_of(std::vector<std::uint8_t>(bytes, bytes + picture->mWidth));
   }
 
-  /// From a mesh to the space that the library's joints are for.
+  /// From a mesh to the space of the offset matrices of its bones.
   [[nodiscard]] aiMatrix4x4 space_of_mesh(unsigned mesh) const {
     if (format_ != MeshFormat::kFbx || !scene_.mMeshes[mesh]->HasBones()) return {};
     for (const aiNode* node : nodes_) {

@@ -14,7 +14,7 @@ namespace arcspan::tools {
 
 using LeftOutCounts = std::map<std::string, std::size_t>;
 
-/// Counts what the library leaves out of a scene and tells its log only.
+/// Counts what the library leaves out of a scene and reports only in its log.
 class LossLog : public Assimp::NullLogger {
  public:
   explicit LossLog(LeftOutCounts& counts) : counts_(counts) {}

@@ -12,8 +12,8 @@ struct MorphKey {
   std::vector<bool> is_given;  ///< for each target, whether the file has its weight at this time
 };
 
-/// Sets the weights that are not given, at the keys of other targets: between the target's own keys by linear
-/// interpolation, before the first and after the last as there. A target without a key keeps its weights.
+/// Sets the weights that are not given: between two keys of the target by linear interpolation, before its
+/// first and after its last to the weight of that key. A target without a key keeps its weights.
 void fill_in_weights(std::vector<MorphKey>& keys);
 
 }  // namespace arcspan::tools

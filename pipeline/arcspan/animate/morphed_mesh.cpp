@@ -67,7 +67,7 @@ Direction MorphedMesh::direction(std::size_t i) const {
   const std::int32_t x = component(n.x, sum.x);
   const std::int32_t y = component(n.y, sum.y);
   const std::int32_t z = component(n.z, sum.z);
-  return normalised(x, y, (x | y | z) == 0 ? 1 : z);
+  return nearly_normalised(x, y, (x | y | z) == 0 ? 1 : z);
 }
 
 }  // namespace arcspan

@@ -129,7 +129,7 @@ template <class Coordinates>
 }
 
 /// The unit vector along a sum of weighted normals; +z for a sum of 0. Nearly all are 1/2...1 long, because
-/// the vectors that joints turn are 0.57...1 long: the table of roots serves these, normalised() the others.
+/// the vectors that joints turn are 0.57...1 long: these need no scaling before the root is looked up.
 [[nodiscard]] ARCSPAN_INLINE inline Direction unit_normal(const WeightedSum& sum) {
   constexpr int kDown = 2 * JointMatrix::kBits - 15;
   const std::int32_t x = sum.x >> kDown;
@@ -145,7 +145,7 @@ template <class Coordinates>
       return {unit(x), unit(y), unit(z)};
     }
   }
-  return normalised(sum.x, sum.y, (sum.x | sum.y | sum.z) == 0 ? 1 : sum.z);
+  return nearly_normalised(sum.x, sum.y, (sum.x | sum.y | sum.z) == 0 ? 1 : sum.z);
 }
 
 }  // namespace detail

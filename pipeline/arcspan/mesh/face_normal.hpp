@@ -41,7 +41,8 @@ struct WideVector {
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normal_along_wide(const ObjectVector& u,
                                                                     const ObjectVector& v) {
   const WideVector normal = cross(u, v);
-  return normalised_wide(normal.x, normal.y, normal.z);
+  const NarrowVector narrow(normal.x, normal.y, normal.z);
+  return nearly_normalised(narrow.x, narrow.y, narrow.z);
 }
 /// The unit vector along u x v, by 32-bit products if all components are below 2^15 in magnitude, as in fine
 /// meshes.
@@ -50,12 +51,12 @@ struct WideVector {
   if ((raised(u.x) | raised(u.y) | raised(u.z) | raised(v.x) | raised(v.y) | raised(v.z)) > 0xFFFF) {
     return normal_along_wide(u, v);
   }
-  return normalised(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+  return nearly_normalised(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
 }
 
 }  // namespace detail
 
-/// The unit normal of the triangle a, b, c, pointing to the side from which the vertices are
+/// The nearly_normalised() normal of the triangle a, b, c, pointing to the side from which the vertices are
 /// counter-clockwise. Zero if the triangle has no area.
 [[nodiscard]] constexpr Direction face_normal(const ObjectPosition& a, const ObjectPosition& b,
                                               const ObjectPosition& c) {

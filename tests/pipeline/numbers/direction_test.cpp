@@ -22,6 +22,7 @@ constexpr std::int32_t kMax = std::numeric_limits<std::int32_t>::max();
 TEST_CASE("normalised vectors are unit vectors in the same direction, whatever the length") {
   Random random(51);
   double worst = 0;
+  double worst_nearly = 0;
   for (int i = 0; i < share_of(500000); ++i) {
     const int shift = random.integer(0, 20);
     const auto component = [&] { return random.integer(kMin, kMax) >> shift >> random.integer(0, 3); };
@@ -31,10 +32,15 @@ TEST_CASE("normalised vectors are unit vectors in the same direction, whatever t
     if (x == 0 && y == 0 && z == 0) continue;
     const Vec3 truth = test::normalised(Vec3{double(x), double(y), double(z)});
     worst = std::max(worst, length(to_vec3(arcspan::normalised(x, y, z)) - truth));
+    worst_nearly = std::max(worst_nearly, length(to_vec3(nearly_normalised(x, y, z)) - truth));
   }
   // 14 bits of the largest component, 15 of the result.
   CHECK(worst < 1.6e-4);
+  CHECK(worst_nearly < 1.6e-4);
   CHECK(arcspan::normalised(0, 0, 0) == Direction{});
+  CHECK(nearly_normalised(0, 0, 0) == Direction{});
+  CHECK(length(to_vec3(nearly_normalised(kMin, kMin, kMin)) - test::normalised(Vec3{-1, -1, -1})) < 1e-4);
+  CHECK(length(to_vec3(nearly_normalised(kMax, 0, -1)) - Vec3{1, 0, 0}) < 1e-4);
   CHECK(length(to_vec3(arcspan::normalised(kMin, kMin, kMin)) - test::normalised(Vec3{-1, -1, -1})) < 1e-4);
   CHECK(length(to_vec3(arcspan::normalised(0, 1, 0)) - Vec3{0, 1, 0}) < 4e-5);
   CHECK(length(to_vec3(arcspan::normalised(kMax, 0, -1)) - Vec3{1, 0, 0}) < 1e-4);

@@ -84,7 +84,7 @@ struct OperationWalker : Walker {
 template <class Rows, class Operation>
 struct OperationSmall {
   using Run = OperationRun<typename Rows::Run, Operation>;
-  const Rows& rows;
+  Rows rows;
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t y, std::int32_t b, std::int32_t c) const {
     return Run(rows, y, b, c);
   }

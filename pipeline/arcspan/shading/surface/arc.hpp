@@ -52,9 +52,7 @@ struct Arc {
     Path path;
   };
   /// The part of a small triangle.
-  struct Small {
-    SmallPlanes<kScalars> planes;
-    SmallMissing missing;
+  struct Small : SmallSurface<kScalars> {
     Path path;
   };
 
@@ -149,11 +147,11 @@ struct Arc {
   template <class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
     if constexpr (kHasDiffuse) {
-      if (part.path == Path::kLinearDiffuse) return draw(SmallFlat<1>{part.planes});
-      if (part.path == Path::kNormalisedDiffuse) return draw(SmallRound<1>{part.planes, part.missing});
+      if (part.path == Path::kLinearDiffuse) return draw(SmallFlat<1>{part});
+      if (part.path == Path::kNormalisedDiffuse) return draw(SmallRound<1>{part});
     }
-    if (part.path == Path::kLinear) return draw(SmallFlat<kScalars>{part.planes});
-    return draw(SmallRound<kScalars>{part.planes, part.missing});
+    if (part.path == Path::kLinear) return draw(SmallFlat<kScalars>{part});
+    return draw(SmallRound<kScalars>{part});
   }
 
   /// Quadratic surfaces of larger triangles would show the rounding errors of second differences: those of

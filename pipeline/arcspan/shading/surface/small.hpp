@@ -116,15 +116,22 @@ class SmallMissing {
   Cosine second_difference_;
 };
 
-/// The surfaces of a small triangle: row() returns the run that begins at the coordinates b and c.
+/// The surface of a small triangle.
+template <std::size_t Count>
+struct SmallSurface {
+  SmallPlanes<Count> planes;
+  SmallMissing missing;  ///< set if the surface is normalised
+};
+
+/// The rows of a small linear surface.
 template <class RunOf, std::size_t Count>
 struct SmallLinear {
   using Run = RunOf;
-  const SmallPlanes<Count>& planes;
+  const SmallSurface<Count>& surface;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
     Run run;
-    planes.start(b, c, run);
+    surface.planes.start(b, c, run);
     return run;
   }
 };
@@ -132,13 +139,12 @@ struct SmallLinear {
 template <class RunOf, std::size_t Count>
 struct SmallNormalised {
   using Run = RunOf;
-  const SmallPlanes<Count>& planes;
-  const SmallMissing& missing;
+  const SmallSurface<Count>& surface;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
     Run run;
-    planes.start(b, c, run.linear);
-    missing.start(b, c, run.missing);
+    surface.planes.start(b, c, run.linear);
+    surface.missing.start(b, c, run.missing);
     return run;
   }
 };

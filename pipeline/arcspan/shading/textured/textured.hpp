@@ -145,17 +145,23 @@ struct TexturedRun : TexturedPixel<Lit, Mapping, Texels, Colours, Filter> {
   }
 };
 
-/// The rows of a small textured triangle. `Light` are those of its light.
-template <class Light, class Steps, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
+/// The rows of a small textured triangle. `Light` are those of its light, `Part` is Textured::Small.
+template <class Light, class Part, class Steps, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
 struct TexturedSmall {
   using Run = TexturedPixel<typename Light::Run, LinearTexture<Steps, false>, Texels, Colours, Filter>;
-  const Light& light;
-  const SmallTexture<Steps>& texture;
-  const typename Texels::Word* words;
-  const std::uint16_t* palette;
+  const Part& part;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t y, std::int32_t b, std::int32_t c) const {
-    return {light.row(y, b, c), texture.row(b, c), hidden(words), palette};
+    return {light().row(y, b, c), part.texture.row(b, c), hidden(part.words), part.palette};
+  }
+
+ private:
+  [[nodiscard]] ARCSPAN_INLINE constexpr Light light() const {
+    if constexpr (std::is_empty_v<Light>) {
+      return {};
+    } else {
+      return Light{part.light};
+    }
   }
 };
 
@@ -406,8 +412,7 @@ struct Textured : LightOn<Method, Colours> {
   [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
     return Light::walk_small(part.light, [&](const auto& light) {
       using LightRows = std::remove_cvref_t<decltype(light)>;
-      return draw(TexturedSmall<LightRows, Steps, Texels, Colours, Filter>{light, part.texture, part.words,
-                                                                           part.palette});
+      return draw(TexturedSmall<LightRows, Small, Steps, Texels, Colours, Filter>{part});
     });
   }
 };

@@ -3,7 +3,6 @@
 
 #include <arcspan/numbers/integer.hpp>
 
-#include <bit>
 #include <cstdint>
 
 /// How many pixels of a row in perspective may be linear (decision 29).
@@ -17,7 +16,7 @@ namespace detail {
 /// Returns a lower bound of the binary logarithm of v > 0, 8 fraction bits; it is too low by at most
 /// kLogError.
 [[nodiscard]] constexpr std::int32_t low_log2(std::uint32_t v) {
-  const int zeros = std::countl_zero(v | 1u);
+  const int zeros = leading_zeros(v | 1u);
   return (31 - zeros) * 256 + static_cast<std::int32_t>(((v << zeros) >> 23) & 0xFFu);
 }
 inline constexpr std::int32_t kLogError = 24;  // log2(1 + m) - m is at most 0.0861, and 1/256 is cut off

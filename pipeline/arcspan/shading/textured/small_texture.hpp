@@ -19,9 +19,9 @@ namespace arcspan {
 template <class Steps>
 class SmallCoordinate {
  public:
-  constexpr void prepare(std::int32_t top, std::int32_t middle, std::int32_t bottom) {
-    to_middle_ = wrap_sub(middle, top);
-    to_bottom_ = wrap_sub(bottom, top);
+  constexpr void prepare(std::int32_t to_middle, std::int32_t to_bottom) {
+    to_middle_ = to_middle;
+    to_bottom_ = to_bottom;
   }
   constexpr void set_top(std::uint32_t word) { at_ = word; }
   /// The value at b and c.
@@ -39,11 +39,12 @@ class SmallCoordinate {
       return wrap_add(wrap_mul(to_middle_, b), wrap_mul(to_bottom_, c));
     }
   }
-  /// change() in repetitions with 18 fraction bits, which saturates instead of wrapping.
+  /// change() in repetitions with fewer fraction bits, which saturates instead of wrapping.
   [[nodiscard]] constexpr std::int32_t wide_change(std::int32_t b, std::int32_t c) const {
-    return limited((std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c) >> kDropped, INT32_MAX);
+    return limited((std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c) >> (32 - kWideBits),
+                   INT32_MAX);
   }
-  static constexpr int kDropped = 14;  ///< fraction bits that change() has and wide_change() has not
+  static constexpr int kWideBits = 18;
 
  private:
   std::uint32_t at_;        ///< at the top vertex
@@ -63,33 +64,36 @@ struct SmallTexture : TextureLevel {
   template <TextureFilter Filter, class Raster>
   [[nodiscard]] constexpr bool prepare(const Raster& top, const Raster& middle, const Raster& bottom,
                                        const TextureSize& size, const SmallTriangle& triangle) {
-    const TextureCorners corners{{top.shade.point, middle.shade.point, bottom.shade.point},
-                                 {top.near_over_w.value, middle.near_over_w.value, bottom.near_over_w.value}};
-    const detail::Extent range_u(corners.at[0].u, corners.at[1].u, corners.at[2].u);
-    const detail::Extent range_v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
-    const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
-    if constexpr (Steps::kHasBorders) spare_bits = detail::spare_bits_of(range_u, range_v);
-    set(size, 0);
-    std::int32_t log_area = 0;
-    if (size.levels != 1) {
-      log_area = detail::log_area_of(top.position, middle.position, bottom.position, size, corners);
-      set(size, detail::least_mip_level(size, log_area));
-    }
+    const MappedPoint& at = top.shade.point;
+    const MappedPoint to_middle = middle.shade.point - at;
+    const MappedPoint to_bottom = bottom.shade.point - at;
+    const std::uint32_t range_u = most_range(to_middle.u, to_bottom.u);
+    const std::uint32_t range_v = most_range(to_middle.v, to_bottom.v);
+    const detail::Extent w(top.near_over_w.value, middle.near_over_w.value, bottom.near_over_w.value);
+    if constexpr (Steps::kHasBorders)
+      spare_bits = detail::spare_bits_of(at, middle.shade.point, bottom.shade.point);
     // A ratio of 3/2 moves texels by less than two pixels of 15.
     if (w.range() > static_cast<std::uint32_t>(w.least) >> 1) return false;
-    if (!detail::is_nearly_linear(*this, range_u.range(), range_v.range(), w)) return false;
-    u.prepare(corners.at[0].u, corners.at[1].u, corners.at[2].u);
-    v.prepare(corners.at[0].v, corners.at[1].v, corners.at[2].v);
+    u.prepare(to_middle.u, to_bottom.u);
+    v.prepare(to_middle.v, to_bottom.v);
     const std::int32_t du = u.change(triangle.d_middle, triangle.d_bottom, *this);
     const std::int32_t dv = v.change(triangle.d_middle, triangle.d_bottom, *this);
+    unsigned level = 0;
     if (size.levels != 1) {
-      const bool may_wrap = !Steps::kHasBorders && (range_u.range() | range_v.range()) >> 15 != 0;
-      set(size, may_wrap ? wide_level(size, log_area, triangle)
-                         : detail::level_for<Steps>(size, log_area, du, dv, *this));
+      const std::int32_t area = doubled_area(top.position, middle.position, bottom.position);
+      if ((range_u | range_v) >> 15 != 0) {
+        level =
+            wide_level(size, detail::log_area_of<std::int64_t>(area, size, to_middle, to_bottom), triangle);
+      } else {
+        const std::int32_t log_area = detail::log_area_of<std::int32_t>(area, size, to_middle, to_bottom);
+        level = detail::level_for(size, log_area, du, dv, detail::step_bits<Steps>(*this));
+      }
     }
+    set(size, level);
+    if (!detail::is_nearly_linear(*this, range_u, range_v, w)) return false;
     const std::uint32_t half = detail::half_texel_of<Filter, Steps>(*this);
-    u.set_top(detail::word_of<Steps>(corners.at[0].u, *this) - (half >> width_bits));
-    v.set_top(detail::word_of<Steps>(corners.at[0].v, *this) - (half >> height_bits));
+    u.set_top(detail::word_of<Steps>(at.u, *this) - (half >> width_bits));
+    v.set_top(detail::word_of<Steps>(at.v, *this) - (half >> height_bits));
     step = Steps::step(Steps::rounded(du, height_bits), dv, height_bits);
     return true;
   }
@@ -100,13 +104,17 @@ struct SmallTexture : TextureLevel {
   }
 
  private:
+  /// A bound of the range of 0, a and b, less than four times as large: few triangles of this size come near
+  /// the limits that it is compared with.
+  [[nodiscard]] static constexpr std::uint32_t most_range(std::int32_t a, std::int32_t b) {
+    return 2 * (detail::step_size(a) | detail::step_size(b));
+  }
   /// level_for() by steps that do not wrap, for u or v that range over half a repetition or more.
   [[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned wide_level(const TextureSize& size, std::int32_t log_area,
                                                               const SmallTriangle& triangle) const {
-    constexpr int kDropped = SmallCoordinate<Steps>::kDropped;
-    const std::int32_t du = u.wide_change(triangle.d_middle, triangle.d_bottom);
-    const std::int32_t dv = v.wide_change(triangle.d_middle, triangle.d_bottom);
-    return detail::mip_level(size, log_area, detail::log_step(size, du, dv, kDropped, kDropped));
+    return detail::level_for(size, log_area, u.wide_change(triangle.d_middle, triangle.d_bottom),
+                             v.wide_change(triangle.d_middle, triangle.d_bottom),
+                             SmallCoordinate<Steps>::kWideBits);
   }
 };
 

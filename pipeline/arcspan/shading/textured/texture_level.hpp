@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/integer.hpp>
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/textured/piece_length.hpp>
 #include <arcspan/target.hpp>
@@ -15,6 +16,10 @@ namespace arcspan {
 struct MappedPoint {
   std::int32_t u;
   std::int32_t v;
+
+  [[nodiscard]] friend constexpr MappedPoint operator-(const MappedPoint& a, const MappedPoint& b) {
+    return {wrap_sub(a.u, b.u), wrap_sub(a.v, b.v)};
+  }
 };
 
 /// The vertices of a triangle for its texture, in the order top, middle, bottom.
@@ -75,50 +80,44 @@ namespace detail {
   return mip_level(size, log_area, log_area >> 1);
 }
 
-/// log2 of the texels of level 0 that u and v change by per pixel, the larger of both, 8 fraction bits.
-/// Shifted to the left by `u_shift` and `v_shift`, which are at most 16, `du` and `dv` are fractions of a
-/// repetition in 32 bits.
-[[nodiscard]] constexpr std::int32_t log_step(const TextureSize& size, std::int32_t du, std::int32_t dv,
-                                              int u_shift, int v_shift) {
-  const auto texels = [](std::int32_t d, int left) {  // 8 fraction bits
-    const auto magnitude = static_cast<std::uint32_t>(d < 0 ? -(d + 1) : d);
-    return left < 0 ? magnitude >> -left : magnitude << left;
-  };
-  const std::uint32_t u = texels(du, u_shift + size.width_bits - 24);
-  const std::uint32_t v = texels(dv, v_shift + size.height_bits - 24);
+/// |d|; of a negative d 1 less.
+[[nodiscard]] constexpr std::uint32_t step_size(std::int32_t d) {
+  return static_cast<std::uint32_t>(d ^ (d >> 31));
+}
+
+/// log2 of the texels of level 0 that u and v change by per pixel, the larger of both. All have 8 fraction
+/// bits.
+[[nodiscard]] constexpr std::int32_t log_step(std::uint32_t u, std::uint32_t v) {
   return low_log2(u > v ? u : v) - 8 * 256;
 }
 
-/// Twice the area of the corners in texels of a texture, 8 fraction bits.
-[[nodiscard]] constexpr std::uint64_t texel_area(const TextureCorners& c, const TextureSize& size) {
-  const auto part = [](std::int32_t a, std::int32_t b) { return std::int64_t{b} - a; };
-  const std::int64_t area = part(c.at[0].u, c.at[1].u) * part(c.at[0].v, c.at[2].v) -
-                            part(c.at[0].u, c.at[2].u) * part(c.at[0].v, c.at[1].v);
-  const auto magnitude = static_cast<std::uint64_t>(area < 0 ? -area : area);
-  // 32 fraction bits of repetitions, 58 bits at most; the size has 6 to 20.
-  return magnitude >> (24 - size.width_bits - size.height_bits);
-}
-
 /// log2 of the mean of the texels of level 0 that the pixels of a triangle cover, 8 fraction bits.
-[[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t log_area_of(const RasterPosition& top,
-                                                                 const RasterPosition& middle,
-                                                                 const RasterPosition& bottom,
-                                                                 const TextureSize& size,
-                                                                 const TextureCorners& corners) {
-  const std::int32_t area = doubled_area(top, middle, bottom);
-  const std::uint64_t texels = texel_area(corners, size);
-  const int up = texels >> 32 != 0 ? 24 : 0;
-  return low_log2(static_cast<std::uint32_t>(texels >> up)) + 256 * up -
-         low_log2(static_cast<std::uint32_t>(area < 0 ? -area : area));
+/// `screen_area` is its doubled_area(); `to_middle` and `to_bottom` lead from a vertex to the others. `Wide`
+/// is an integer of 64 bits, or of 32 where these are below half a repetition.
+template <class Wide>
+[[nodiscard]] constexpr std::int32_t log_area_of(std::int32_t screen_area, const TextureSize& size,
+                                                 const MappedPoint& to_middle, const MappedPoint& to_bottom) {
+  const Wide area = Wide{to_middle.u} * to_bottom.v - Wide{to_bottom.u} * to_middle.v;
+  // 32 fraction bits of repetitions, 58 bits at most; the size has 6 to 20.
+  const auto texels = magnitude(area) >> (24 - size.width_bits - size.height_bits);
+  const int up = texels > UINT32_MAX ? 24 : 0;
+  return low_log2(static_cast<std::uint32_t>(texels >> up)) + 256 * up - low_log2(magnitude(screen_area));
 }
 
-/// Returns the mip level of a triangle or a piece whose u and v change by `du` and `dv` per pixel. `level`
-/// has its spare_bits.
+/// The fraction bits of repetitions in 32 bits.
 template <class Steps>
+[[nodiscard]] constexpr int step_bits([[maybe_unused]] const TextureLevel& level) {
+  return 32 - (Steps::kHasBorders ? level.spare_bits : 0);
+}
+
+/// Returns the mip level of a triangle whose u and v change by `du` and `dv` per pixel, repetitions with
+/// `bits` fraction bits, 18 or more.
 [[nodiscard]] constexpr unsigned level_for(const TextureSize& size, std::int32_t log_area, std::int32_t du,
-                                           std::int32_t dv, const TextureLevel& level) {
-  const int spare = Steps::kHasBorders ? level.spare_bits : 0;
-  return mip_level(size, log_area, log_step(size, du, dv, spare, spare));
+                                           std::int32_t dv, int bits) {
+  const int drop = bits - 8;
+  return mip_level(
+      size, log_area,
+      log_step(step_size(du) >> (drop - size.width_bits), step_size(dv) >> (drop - size.height_bits)));
 }
 
 }  // namespace detail

@@ -10,7 +10,6 @@
 #include <arcspan/target.hpp>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -174,7 +173,7 @@ class PerspectiveTexture {
     // Rounding may lower 1/w below the least of the vertices, by far less than half of it.
     const std::int32_t least = triangle_->least_q >> 1;
     const auto q = static_cast<std::uint32_t>(q_ < least ? least : q_);
-    const int zeros = std::countl_zero(q | 1u);
+    const int zeros = leading_zeros(q | 1u);
     const auto inverse = static_cast<std::int32_t>(detail::reciprocal_mantissa(q << zeros) << 14);
     return {multiply_high(wrap_shl(u_, zeros - 1), inverse), multiply_high(wrap_shl(v_, zeros - 1), inverse)};
   }
@@ -230,9 +229,16 @@ class PerspectiveTexture {
     at_ = end;
     return last ? left : length;
   }
+  /// A relative change in texels of 2^bits per repetition, 8 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t texels(std::int32_t change, std::uint8_t word_shift, int bits) const {
+    const int spare = Steps::kHasBorders ? triangle_->spare_bits : 0;
+    const int left = static_cast<std::int8_t>(word_shift) + spare + bits - 24;
+    const std::uint32_t size = detail::step_size(change);
+    return left < 0 ? size >> -left : size << left;
+  }
   /// Chooses the mip level of a piece of steps + 1 pixels that ends at the current 1/w. `du` and `dv` are
   /// relative, because the words of a step lose whole repetitions.
-  constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
+  ARCSPAN_INLINE constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
     TextureTriangle& t = *triangle_;
     const std::int32_t least = t.least_q >> 1;
     const std::int32_t middle = wrap_sub(q_, wrap_mul(t.q.dx.raw(), (steps + 1) >> 1));
@@ -240,9 +246,8 @@ class PerspectiveTexture {
     const std::int32_t log_area = t.log_area - 3 * log_q;
     // A step is K / q^2, with the same K in the whole row.
     if (log_step_ == kUnknown && steps != 0) {
-      const int spare = Steps::kHasBorders ? t.spare_bits : 0;
-      log_step_ = detail::log_step(t.size, du, dv, static_cast<std::int8_t>(t.u_shift) + spare,
-                                   static_cast<std::int8_t>(t.v_shift) + spare) +
+      log_step_ = detail::log_step(texels(du, t.u_shift, t.size.width_bits),
+                                   texels(dv, t.v_shift, t.size.height_bits)) +
                   2 * log_q;
     }
     const unsigned chosen = log_step_ == kUnknown

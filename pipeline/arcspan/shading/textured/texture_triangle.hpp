@@ -96,7 +96,7 @@ struct TextureShifts {
 
  private:
   [[nodiscard]] static constexpr int shift_of(std::uint32_t range) {
-    return std::countl_zero(range | 0xFFFu) - 16;
+    return leading_zeros(range | 0xFFFu) - 16;
   }
 };
 
@@ -200,7 +200,7 @@ template <class Steps, class Levels, class Frame>
   constexpr int kLevelShift = 3;  // from 12 fraction bits of 256ths of 8-bit steps to 25 of 64ths
   std::int32_t level_step = 0;
   if (levels != nullptr && !find_step<Steps>(frame, levels->at, kLevelShift, level_step)) return false;
-  if (t.size.levels != 1) t.set(t.size, level_for<Steps>(t.size, t.log_area, du, dv, t));
+  if (t.size.levels != 1) t.set(t.size, level_for(t.size, t.log_area, du, dv, step_bits<Steps>(t)));
   const unsigned rounded_bits = levels != nullptr ? JoinedLevel::kBits - t.height_bits : 0;
   GridCoordinate at_v =
       grid_coordinate<Steps>(frame, v, t.v_origin - t.half_texel_v(), t.v_shift, dv, rounded_bits);
@@ -227,7 +227,7 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   t.u_shift = word_shift_of<Steps>(shifts.u, t);
   t.v_shift = word_shift_of<Steps>(shifts.v, t);
   // All values as Linear, of which all 28 bits are used.
-  const int up = std::countl_zero(static_cast<std::uint32_t>(w.most) | 1u) - 4;
+  const int up = leading_zeros(static_cast<std::uint32_t>(w.most) | 1u) - 4;
   std::int32_t q[3];
   std::int32_t f_u[3];
   std::int32_t f_v[3];
@@ -268,12 +268,12 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
   t.piece_q = length.pixels == 0 ? INT32_MAX >> 2 : t.least_q;  // where each pixel is a piece, all are
 }
 
-/// The spare bits of a triangle with these u and v: one for the sign, one for errors of rounding.
-[[nodiscard]] constexpr std::uint8_t spare_bits_of(const Extent& u, const Extent& v) {
-  // A set of bits at least as high as every magnitude.
-  const std::int32_t all = (u.least ^ (u.least >> 31)) | (u.most ^ (u.most >> 31)) |
-                           (v.least ^ (v.least >> 31)) | (v.most ^ (v.most >> 31));
-  return static_cast<std::uint8_t>(std::bit_width(static_cast<std::uint32_t>(all) >> 16) + 2);
+/// The spare bits of a triangle with these corners: one for the sign, one for errors of rounding.
+[[nodiscard]] constexpr std::uint8_t spare_bits_of(const MappedPoint& a, const MappedPoint& b,
+                                                   const MappedPoint& c) {
+  const auto size = [](const MappedPoint& p) { return step_size(p.u) | step_size(p.v); };
+  const std::uint32_t all = size(a) | size(b) | size(c);  // with bits at least as high as each magnitude has
+  return static_cast<std::uint8_t>(std::bit_width(all >> 16) + 2);
 }
 
 /// Half a texel of a level of 2^0 texels, as fractions of 2^spare_bits repetitions in 32 bits: with
@@ -323,13 +323,15 @@ constexpr void prepare_texture(const Frame& frame, const TextureSize& size, cons
   const detail::Extent v(corners.at[0].v, corners.at[1].v, corners.at[2].v);
   const detail::Extent w(corners.near_over_w[0], corners.near_over_w[1], corners.near_over_w[2]);
   const MappedPoint least{u.least, v.least};
-  if constexpr (Steps::kHasBorders) t.spare_bits = detail::spare_bits_of(u, v);
+  if constexpr (Steps::kHasBorders)
+    t.spare_bits = detail::spare_bits_of(corners.at[0], corners.at[1], corners.at[2]);
   t.size = size;
   t.half_texel = detail::half_texel_of<Filter, Steps>(t);
   t.set(size, 0);
   if (size.levels != 1) {
-    t.log_area = detail::log_area_of(frame.top->position, frame.middle->position, frame.bottom->position,
-                                     size, corners);
+    t.log_area = detail::log_area_of<std::int64_t>(
+        doubled_area(frame.top->position, frame.middle->position, frame.bottom->position), size,
+        corners.at[1] - corners.at[0], corners.at[2] - corners.at[0]);
     t.set(size, detail::least_mip_level(size, t.log_area));
   }
   t.u_origin = detail::word_of<Steps>(least.u, t);

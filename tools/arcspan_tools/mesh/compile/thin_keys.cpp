@@ -48,6 +48,18 @@ RigChannel with_keys(const RigChannel& channel, const std::vector<std::size_t>& 
   return out;
 }
 
+/// The value of a channel of two keys as the pipeline makes it: linear rotations by their components. The
+/// spherical ones of at() would undo what with_close_rotations() adds.
+std::vector<double> played(const RigChannel& two, double time) {
+  if (two.path != ChannelPath::kRotation || two.interpolation != Interpolation::kLinear) return two.at(time);
+  const Quaternion a = quaternion(two.at(two.times[0]));
+  Quaternion b = quaternion(two.at(two.times[1]));
+  if (inner(a, b) < 0) b = b * -1;
+  const double t = (time - two.times[0]) / (two.times[1] - two.times[0]);
+  const Quaternion mixed = a * (1 - t) + b * t;
+  return {mixed.x, mixed.y, mixed.z, mixed.w};
+}
+
 /// Whether the channel of only the keys `from` and `to` is close enough at all keys between them and in the
 /// middle of each two.
 bool may_skip(const RigChannel& channel, std::size_t from, std::size_t to, const ClipTolerance& tolerance) {
@@ -55,7 +67,7 @@ bool may_skip(const RigChannel& channel, std::size_t from, std::size_t to, const
   for (std::size_t key = from + 1; key <= to; ++key) {
     const double before = (channel.times[key - 1] + channel.times[key]) / 2;
     for (const double time : {before, channel.times[key]}) {
-      if (!is_within(channel, channel.at(time), few.at(time), tolerance)) return false;
+      if (!is_within(channel, channel.at(time), played(few, time), tolerance)) return false;
     }
   }
   return true;

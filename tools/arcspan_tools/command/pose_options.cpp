@@ -68,10 +68,11 @@ ClipLength find_clip(const Model& model, const std::string& name, const std::str
 void check_pose(const Model& model, const PoseChoice& pose, const std::string& subject) {
   if (pose.clip.empty()) return;
   const ClipLength clip = find_clip(model, pose.clip, subject, "--pose");
-  if (pose.seconds > clip.seconds) {
-    throw Failure("--pose", formatted("%g is after the end of the clip '", pose.seconds) + clip.name +
-                                formatted("' at %g s", clip.seconds));
-  }
+  const std::string asked = formatted("%g", pose.seconds);
+  const std::string end = formatted("%g", clip.seconds);
+  // The end as lists tell it may have been rounded up.
+  if (pose.seconds > clip.seconds && asked != end)
+    throw Failure("--pose", asked + " is after the end of the clip '" + clip.name + "' at " + end + " s");
 }
 
 Model posed(const Model& model, const PoseChoice& pose, const std::string& subject) {

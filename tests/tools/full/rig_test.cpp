@@ -688,6 +688,33 @@ TEST_CASE("rigs: keys are left out by what components interpolate, not by the ar
   CHECK(played_apart(few, channel) < 0.1);
 }
 
+TEST_CASE("rigs: the tolerance of keys is a share of the model below scales, too") {
+  const auto keys_below = [](float scale, const char* path) {
+    const bool moves = std::string(path) == "translation";
+    Floats times, values;
+    for (int i = 0; i <= 30; ++i) {
+      const float t = static_cast<float>(i) / 30;
+      const float swing = std::sin(7 * t);
+      times.push_back(t);
+      for (int k = 0; k < 3; ++k) values.push_back((moves ? swing : 1 + swing / 4) / scale);
+    }
+    GltfRig rig = moved_square(path, times, values, "LINEAR");
+    rig.json["nodes"][0]["scale"] = {1 / scale, 1 / scale, 1 / scale};
+    rig.json["nodes"].push_back({{"scale", {scale, scale, scale}}, {"children", {0}}});
+    rig.json["scenes"][0]["nodes"] = {1};
+    const FixedModel fixed = stored(loaded(rig), {0.1, 0.01});
+    CHECK(worst_of_pipeline(fixed, 0, 0.25) < 0.02 * 65534);
+    return fixed.animation->clips.at(0).channels.at(0).times.size();
+  };
+  for (const char* path : {"translation", "scale"}) {
+    const std::size_t keys = keys_below(1, path);
+    CHECK(keys > 5);
+    CHECK(keys < 25);
+    CHECK(keys_below(100, path) == keys);
+    CHECK(keys_below(.01f, path) == keys);
+  }
+}
+
 TEST_CASE("rigs: weights in 1024ths add up, and are as near as they can be") {
   for (const std::vector<double>& weights : std::vector<std::vector<double>>{{1},
                                                                              {.5, .5},

@@ -185,7 +185,7 @@ std::array<std::int32_t, 3> AnimationSpace::translation(std::size_t node, Vec3 t
 }
 
 std::array<std::int32_t, 3> AnimationSpace::scale(std::size_t node, Vec3 s) const {
-  const double factor = scale_of_parent(node) / scales_[*numbers_[node]];
+  const double factor = scale_of_parent(node) / scale_of(node);
   const std::string& name = rig_.nodes[node].name;
   return {raw(s.x * factor, kScaleBits, kMostScale, "scale", name),
           raw(s.y * factor, kScaleBits, kMostScale, "scale", name),

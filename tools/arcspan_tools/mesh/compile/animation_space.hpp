@@ -31,6 +31,10 @@ class AnimationSpace {
   /// Raw numbers of a node's translation and scale in the file.
   [[nodiscard]] std::array<std::int32_t, 3> translation(std::size_t node, Vec3 t) const;
   [[nodiscard]] std::array<std::int32_t, 3> scale(std::size_t node, Vec3 s) const;
+  /// How long a unit of the file is in the model by the constant scales: where a node of nodes() is placed,
+  /// and within the node.
+  [[nodiscard]] double scale_of_parent(std::size_t node) const;
+  [[nodiscard]] double scale_of(std::size_t node) const { return scales_[*numbers_[node]]; }
 
  private:
   void choose_nodes();
@@ -39,7 +43,6 @@ class AnimationSpace {
   /// The root of nodes whose parent is `still`, or nothing.
   std::size_t root(std::optional<std::size_t> still);
   [[noreturn]] void fail(std::size_t node, const char* what) const;
-  [[nodiscard]] double scale_of_parent(std::size_t node) const;
   [[nodiscard]] std::int32_t raw(double value, int fraction_bits, std::int32_t most, const char* what,
                                  const std::string& name) const;
 

@@ -63,11 +63,22 @@ class ClipMaker {
     return static_cast<std::uint32_t>(rounded(seconds * kMicroseconds));
   }
 
+  /// The tolerance in the numbers of a channel, whose node may be below scales: a skeleton in centimetres
+  /// below one of 1/100.
+  [[nodiscard]] ClipTolerance tolerance_of(const RigChannel& channel) const {
+    ClipTolerance tolerance = tolerance_;
+    if (channel.path == ChannelPath::kMorphWeights || !space_.number(channel.node)) return tolerance;
+    const double scale = space_.scale_of_parent(channel.node);
+    tolerance.length /= scale;
+    if (channel.path == ChannelPath::kScale) tolerance.share *= space_.scale_of(channel.node) / scale;
+    return tolerance;
+  }
+
   /// The channel with as few keys as the tolerance allows, unless that takes more bytes: keys that are left
   /// out leave a list of times of its own, and channels often share one.
   [[nodiscard]] RigChannel smaller(const RigChannel& channel) const {
     const RigChannel whole = thinned(channel, {});
-    const RigChannel thin = thinned(channel, tolerance_);
+    const RigChannel thin = thinned(channel, tolerance_of(channel));
     const bool is_short =
         channel.path == ChannelPath::kRotation || channel.path == ChannelPath::kMorphWeights;
     const std::size_t of_value = channel.components * (is_short ? 2 : 4);

@@ -110,6 +110,12 @@ namespace detail {
   }
 }
 
+/// a * b, exact.
+[[nodiscard]] constexpr std::uint64_t wide_product(std::uint32_t a, std::uint32_t b) {
+  if constexpr (kHasLongMultiply) return std::uint64_t{a} * b;
+  return (std::uint64_t{multiply_high(a, b)} << 32) | (a * b);
+}
+
 /// floor(value * factor / 2^bits), of which the lower 32 bits are returned; factor in 0...2^16, bits
 /// in 15...16.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t scaled_down(std::int32_t value, std::uint32_t factor,

@@ -298,17 +298,18 @@ template <class Steps>
                                               std::uint32_t range_v, const Extent& near_over_w) {
   const std::uint32_t d_u = range_u >> (12 - t.width_bits);  // 4 fraction bits
   const std::uint32_t d_v = range_v >> (12 - t.height_bits);
-  const std::uint64_t texels = (d_u > d_v ? d_u : d_v) + 1;
-  return texels * near_over_w.range() <= std::uint64_t{28} * static_cast<std::uint32_t>(near_over_w.least);
+  const std::uint32_t texels = (d_u > d_v ? d_u : d_v) + 1;
+  return wide_product(texels, near_over_w.range()) <=
+         wide_product(28, static_cast<std::uint32_t>(near_over_w.least));
 }
 
 /// True if linear mapping moves texels along x and along y by at most 2^kLogMostPixels pixels: d (r - 1) / 4,
 /// if d is the extent in pixels and r the ratio of the distances.
 [[nodiscard]] constexpr bool is_linear_within_pixels(std::uint32_t width, std::uint32_t height,
                                                      const Extent& near_over_w) {
-  const std::uint64_t extent = width > height ? width : height;  // 4 fraction bits
-  return extent * near_over_w.range() <=
-         (std::uint64_t{64} << kLogMostPixels) * static_cast<std::uint32_t>(near_over_w.least);
+  const std::uint32_t extent = width > height ? width : height;  // 4 fraction bits
+  return wide_product(extent, near_over_w.range()) <=
+         wide_product(std::uint32_t{64} << kLogMostPixels, static_cast<std::uint32_t>(near_over_w.least));
 }
 
 }  // namespace detail

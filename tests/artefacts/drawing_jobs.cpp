@@ -2,7 +2,7 @@
 // drawing_jobs OUTPUT METHOD...: reads lines of jobs from standard input,
 //
 //     MESH WIDTH HEIGHT VIEW_X VIEW_Y blinn|phong SHININESS BAND_ROWS plain|planes|split FOV BITS REPEATS
-//     AXES OUTLINES EYE SPECULAR
+//     AXES OUTLINES EYE SPECULAR SIDES OPAQUE
 //
 // writes them for tests/firmware/cost_jobs.hpp, and prints for each of them, as JSON, the events that each
 // method draws it by, and the estimate for a Cortex-M3. The method `outlines` has those of its outlines
@@ -12,6 +12,7 @@
 // with the width of their ink or 0; `c` after it inks creases, `r` curves them. EYE is the
 // distance of the camera from the mesh's middle, in its largest coordinate, or 0: the whole mesh is seen.
 // SPECULAR is the red of highlights, which have half of it in green and none in blue, or -1: they are white.
+// SIDES is 2 if backs are drawn, or 1. OPAQUE is how many of 8 texels are, or 0: all.
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
@@ -57,6 +58,8 @@ struct Line {
   std::string outlines;
   double eye = 0;
   double specular = -1;
+  int sides = 1;
+  std::uint32_t opaque = 0;
 
   [[nodiscard]] bool has(char letter) const { return outlines.find(letter) != std::string::npos; }
   [[nodiscard]] std::uint8_t ink_width() const { return static_cast<std::uint8_t>(outlines[0] - '0'); }
@@ -67,7 +70,8 @@ Line parse(const std::string& text) {
   Line line;
   if (!(in >> line.mesh >> line.size.width >> line.size.height >> line.view_x >> line.view_y >>
         line.highlight >> line.shininess >> line.band_rows >> line.planes >> line.fov >> line.bits >>
-        line.repeats >> line.axes >> line.outlines >> line.eye >> line.specular)) {
+        line.repeats >> line.axes >> line.outlines >> line.eye >> line.specular >> line.sides >>
+        line.opaque)) {
     throw std::runtime_error("not a job: " + text);
   }
   return line;
@@ -114,6 +118,18 @@ void drop_levels(RenderPart& part) {
   part.texture = std::move(texture);
 }
 
+/// Makes texels transparent, but for `opaque` of 8.
+void mask_texels(std::uint32_t opaque, RenderPart& part) {
+  auto texture = std::make_shared<SurfaceTexture>(*part.texture);
+  for (std::size_t i = 0; i < texture->texels.size(); ++i) {
+    if (!is_opaque_texel(i, opaque)) texture->texels[i] = 0;
+  }
+  const TextureSize size = part.texture->view.size();
+  if (!ok(Texture<SurfaceTexels>::make(texture->texels, size, texture->view)))
+    throw std::runtime_error("the texture has too few texels");
+  part.texture = std::move(texture);
+}
+
 /// Where the camera stands that is so near that it sees a part of the mesh.
 Vec3 near_eye(const Line& line, const FixedMesh& mesh) {
   std::int32_t most = 0;
@@ -132,6 +148,7 @@ Scene scene_of(const Line& line) {
   scene.surface.shininess = line.shininess;
   scene.chosen.shininess = true;
   scene.band_rows = line.band_rows;
+  scene.two_sided = line.sides == 2;
   scene.chosen.specular = line.specular >= 0;
   if (line.specular >= 0) scene.surface.specular.rgb = {line.specular, line.specular / 2, 0};
   if (line.outlines == "none") return scene;
@@ -151,7 +168,8 @@ void write_one(std::ostream& out, const T& value) {
   write(out, std::span<const T>(&value, 1));
 }
 
-void write_job(std::ostream& out, const RenderJob& job, const FixedCamera& camera, const FixedMesh& mesh) {
+void write_job(std::ostream& out, const Line& line, const RenderJob& job, const FixedCamera& camera,
+               const FixedMesh& mesh) {
   JobHead head;
   head.vertices = static_cast<std::uint32_t>(mesh.positions.size());
   head.indices = static_cast<std::uint32_t>(mesh.indices.size());
@@ -164,8 +182,9 @@ void write_job(std::ostream& out, const RenderJob& job, const FixedCamera& camer
     const TextureSize& size = job.parts[0].texture->view.size();
     head.texture = static_cast<std::uint32_t>(size.width_bits) |
                    static_cast<std::uint32_t>(size.levels) << 8 |
-                   static_cast<std::uint32_t>(mesh.texture_scale.fraction_bits) << 16;
+                   static_cast<std::uint32_t>(mesh.texture_scale.fraction_bits) << 16 | line.opaque << 24;
   }
+  head.two_sided = job.parts[0].two_sided ? 1 : 0;
   head.neighbours = static_cast<std::uint32_t>(mesh.neighbours.size());
   if (job.outlines.ink) head.outlines = job.outlines.ink->width | (job.outlines.ink->creases ? 256u : 0u);
   if (job.outlines.curved) head.outlines |= 65536;
@@ -207,8 +226,9 @@ int main(int count, char** arguments) try {
     if (line.eye != 0) scene.camera.eye = near_eye(line, model.meshes[0]);
     RenderJob job = make_job(scene, model, line.mesh);
     if ((line.axes & 4) != 0) drop_levels(job.parts[0]);
+    if (line.opaque != 0) mask_texels(line.opaque, job.parts[0]);
     const Camera camera = place_camera(scene.camera, model, scene.size);
-    write_job(out, job, to_fixed(camera, model, scene.size), model.meshes[0]);
+    write_job(out, line, job, to_fixed(camera, model, scene.size), model.meshes[0]);
     nlohmann::json of_methods;
     for (int i = 2; i < count; ++i) of_methods[arguments[i]] = figures(job, arguments[i]);
     jobs.push_back(std::move(of_methods));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// posing_models OUTPUT: writes tubes of 19 joints, with 1, 2, 3 and 4 weights for each vertex, as records for
-// tests/firmware/cost_pose.cpp.
+// posing_models OUTPUT: writes tubes of 19 joints, with 1, 2, 3 and 4 weights for each vertex, and tubes
+// whose vertices 1 and 4 morph targets move, as records for tests/firmware/cost_pose.cpp.
 #include <tests/support/animated_rig.hpp>
 
 #include <algorithm>
@@ -33,18 +33,28 @@ int main(int count, char** arguments) {
   const auto put = [&out](std::uint32_t word) {
     for (int i = 0; i < 4; ++i) out.put(static_cast<char>(word >> (8 * i) & 0xFF));
   };
-  for (int weights = 1; weights <= 4; ++weights) {
-    arcspan::test::Rig rig = arcspan::test::tube(19, weights, 30000, 3000, 1);
-    give_weights(rig, static_cast<std::size_t>(weights));
-    rig.clips.push_back(bending(rig, arcspan::Interpolation::kLinear, 20));
+  const auto put_model = [&](std::string name, const arcspan::test::Rig& rig) {
     const auto file = rig.file();
-    std::string name = std::to_string(weights);
     name.resize(24);
     out << name;
     put(static_cast<std::uint32_t>(file.size()));
     for (int i = 0; i < 8; ++i) put(0);  // without a picture
     out.write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
     for (std::size_t i = file.size(); i % 4 != 0; ++i) out.put('\0');
+  };
+  for (int weights = 1; weights <= 4; ++weights) {
+    arcspan::test::Rig rig = arcspan::test::tube(19, weights, 30000, 3000, 1);
+    give_weights(rig, static_cast<std::size_t>(weights));
+    rig.clips.push_back(bending(rig, arcspan::Interpolation::kLinear, 20));
+    put_model(std::to_string(weights), rig);
+  }
+  for (const int targets : {1, 4}) {
+    arcspan::test::Rig rig = arcspan::test::tube(19, 1, 30000, 3000, 1);
+    rig.targets = targets;
+    for (arcspan::test::RigVertex& vertex : rig.vertices) {
+      for (int i = 0; i < targets; ++i) vertex.morphs.push_back({i, {100, 200, 300}, {0.1, 0.2, 0.3}});
+    }
+    put_model("morph " + std::to_string(targets), rig);
   }
   for (int i = 0; i < 64; ++i) out.put('\0');
   return out.flush() ? 0 : 1;

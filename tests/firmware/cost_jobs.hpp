@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 /// Where the emulator loads the jobs; CMakeLists.txt gives the address. The memory is zero otherwise.
 extern "C" const std::byte arcspan_jobs[];
@@ -61,7 +60,8 @@ inline bool draw_cost_job(std::uint32_t number, const CostJob& job, const CostMe
     band.clear({0, 0, 0});
     depth.clear();
     arcspan_mark();
-    const DrawResult drawn = draw_mesh<CostMethod>(job.mesh, job.transform, lighting, band, depth, cache);
+    const DrawResult drawn = draw_mesh<CostMethod>(job.mesh, job.transform, lighting, band, depth, cache,
+                                                   {job.head.two_sided != 0});
     arcspan_mark();
     bare::print_line("section: job ", number);
     bare::print_line("section: between");
@@ -70,17 +70,29 @@ inline bool draw_cost_job(std::uint32_t number, const CostJob& job, const CostMe
   return true;
 }
 
-[[gnu::section(".bss.frame")]] static std::uint8_t cost_texels[21845];
+[[gnu::section(".bss.frame")]] alignas(2) static std::uint8_t cost_texels[2 * 21845];
+
+/// Makes a texture of the memory of the texels, whatever their bits. Colour 0 is transparent if there is
+/// alpha.
+template <class Texels>
+Status make_cost_texture(const TextureSize& size, Texture<Texels>& texture) {
+  using Word = typename Texels::Word;
+  static constexpr std::array<std::uint16_t, 256> kPalette{0, 0xFFFF};
+  const auto* const words = static_cast<const Word*>(static_cast<const void*>(cost_texels));
+  return Texture<Texels>::make(std::span(words, sizeof cost_texels / sizeof(Word)), size, texture,
+                               std::span(kPalette).first(Texels::kPaletteSize));
+}
 
 /// Gives the lighting of a textured method the texture of JobHead::texture, with at most 128x128 texels.
 template <class Lighting>
-void set_cost_texture([[maybe_unused]] Lighting& lighting, [[maybe_unused]] std::uint32_t texture) {
+Status set_cost_texture([[maybe_unused]] Lighting& lighting, [[maybe_unused]] std::uint32_t texture) {
   if constexpr (requires { lighting.texture; }) {
-    static constexpr std::array<std::uint16_t, 256> kPalette{};
+    for (std::size_t i = 0; i < std::size(cost_texels); ++i)
+      cost_texels[i] = is_opaque_texel(i, texture >> 24);
     const auto bits = static_cast<std::uint8_t>(texture);
-    const TextureSize size{bits, bits, static_cast<std::uint8_t>(texture >> 8)};
-    (void)std::remove_cvref_t<decltype(lighting.texture)>::make(cost_texels, size, lighting.texture,
-                                                                kPalette);
+    return make_cost_texture({bits, bits, static_cast<std::uint8_t>(texture >> 8)}, lighting.texture);
+  } else {
+    return Status::kOk;
   }
 }
 
@@ -122,8 +134,9 @@ inline bool draw_cost_jobs(const Draw& draw) {
     static CostLight light;  // larger than the stack that programs are allowed
     if (!ok(CostLight::make(material, {towards}, to_eye, light))) return false;
     const CostMethod::Lighting& lighting = make_cost_lighting(light);
-    set_cost_texture(cost_lighting_memory.lighting, job.head.texture);
-    if (!draw(number, job, lighting)) return false;
+    if (!ok(set_cost_texture(cost_lighting_memory.lighting, job.head.texture)) ||
+        !draw(number, job, lighting))
+      return false;
   }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Poses the tubes that tests/artefacts/posing_models.cpp has written and the emulator has loaded, for
-// scripts/simulate-estimates, transforms and shades their vertices, clears a picture and packs it for a
-// panel. The name of a section ends with the number of what it made.
+// Poses the tubes that tests/artefacts/posing_models.cpp has written and the emulator has loaded,
+// for scripts/simulate-estimates, transforms and shades their vertices, clears a picture and packs it for a
+// panel. With ARCSPAN_COST_MORPHS it does nothing but transform and shade what morph targets move: a program
+// of its own, because the compiler inlines otherwise in one with more kinds of meshes. The name of a section
+// ends with the number of what it made.
+#include <arcspan/animate/morphed_mesh.hpp>
 #include <arcspan/animate/pose.hpp>
 #include <arcspan/animate/skinned_mesh.hpp>
 #include <arcspan/bare/console.hpp>
@@ -29,13 +32,6 @@ using Method = Arc<Illumination<1, Highlight::kBlinn>>;
 
 constexpr std::int32_t kWidth = 320;
 constexpr std::int32_t kHeight = 240;
-[[gnu::section(".bss.frame")]] std::uint16_t colours[kWidth * kHeight];
-[[gnu::section(".bss.frame")]] std::uint16_t depths[kWidth * kHeight];
-[[gnu::section(".bss.frame")]] std::uint8_t wire[2 * kWidth * kHeight];
-
-NodeMatrix nodes[32];
-JointMatrix joints[32];
-
 [[gnu::section(".bss.frame")]] CachedVertex<Method> cache[1024];
 Method::Lighting light;
 ClipTransform transform;
@@ -75,6 +71,28 @@ bool measure_vertices(const char* of, const MeshView& view, const Mesh& mesh) {
   return true;
 }
 
+#ifdef ARCSPAN_COST_MORPHS
+
+bool measure_model(const char* name, const ModelPart& part, const StoredAnimation& animation) {
+  if (animation.morph(0).target_count() == 0) return true;
+  std::int16_t weights[4] = {};
+  MorphedMesh mesh;
+  return ok(pose_morph(animation, 0, ClipBlend(), weights)) &&
+         ok(MorphedMesh::make(part.mesh, animation, 0, weights, mesh)) &&
+         measure_vertices(name, part.mesh, mesh);
+}
+
+void measure_picture() {}
+
+#else
+
+[[gnu::section(".bss.frame")]] std::uint16_t colours[kWidth * kHeight];
+[[gnu::section(".bss.frame")]] std::uint16_t depths[kWidth * kHeight];
+[[gnu::section(".bss.frame")]] std::uint8_t wire[2 * kWidth * kHeight];
+
+NodeMatrix nodes[32];
+JointMatrix joints[32];
+
 template <class Layout>
 void measure_packing(const char* format) {
   using Frame = hal::Framebuffer<typename Layout::Format>;
@@ -86,10 +104,8 @@ void measure_packing(const char* format) {
           [&] { Layout::pack(frame, frame.bounds(), hal::Orientation::k0, wire); });
 }
 
-bool pose_tube(const ModelRecord& record) {
-  StoredModel model;
-  StoredAnimation animation;
-  if (!ok(view_model_binary(binary_of(record), model)) || !ok(view_animation(model, animation))) return false;
+bool measure_model(const char* name, const ModelPart& part, const StoredAnimation& animation) {
+  if (animation.morph(0).target_count() != 0) return true;
   ClipPlayer player(animation.clip(0));
   player.seek(330'000);
   Status status = Status::kOk;
@@ -98,17 +114,13 @@ bool pose_tube(const ModelRecord& record) {
   if (!ok(status)) return false;
   const auto skin = animation.skin(0);
   measure("joint", "", skin.size(), [&] { status = pose_joints(skin, nodes, joints); });
-  const ModelPart part = model.part(0);
   SkinnedMesh mesh;
   if (!ok(status) || !ok(SkinnedMesh::make(part.mesh, animation, 0, joints, mesh))) return false;
   return measure_vertices("0", part.mesh, part.mesh) &&  // at rest
-         measure_vertices(record.name, part.mesh, mesh);
+         measure_vertices(name, part.mesh, mesh);
 }
 
-}  // namespace
-
-int main() {
-  if (!make_view()) return 1;
+void measure_picture() {
   hal::Framebuffer<Rgb565> frame(colours, kWidth, kHeight);
   DepthBuffer depth(depths, kWidth, kHeight);
   measure("clear", "", std::size_t{kWidth} * kHeight, [&] {
@@ -118,8 +130,24 @@ int main() {
   measure_packing<hal::BigEndianRgb565>("rgb565");
   measure_packing<hal::Gray4Pairs>("gray4");
   measure_packing<hal::MonoPages>("mono");
+}
+
+#endif
+
+bool measure_record(const ModelRecord& record) {
+  StoredModel model;
+  StoredAnimation animation;
+  return ok(view_model_binary(binary_of(record), model)) && ok(view_animation(model, animation)) &&
+         measure_model(record.name, model.part(0), animation);
+}
+
+}  // namespace
+
+int main() {
+  if (!make_view()) return 1;
+  measure_picture();
   for (const ModelRecord* record = &first_record(); record->bytes != 0; record = &next_record(*record)) {
-    if (!pose_tube(*record)) return 1;
+    if (!measure_record(*record)) return 1;
   }
   return 0;
 }

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <iterator>
 
-/// Methods for cost_method.hpp that draw texels as `arcspan mesh` writes them: 8 bits, with mip levels.
+/// Methods for cost_method.hpp that draw texels as `arcspan mesh` writes them, with mip levels.
 namespace arcspan {
 
 template <class Light>
@@ -22,6 +22,18 @@ template <class Light>
 using TexturedGreyGouraud = Textured<GreyGouraud<Light>, Palette8Texels<>>;
 template <class Light>
 using TexturedArc = Textured<Arc<Light>, Palette8Texels<>>;
+template <class Light>
+using TexturedDirectArc = Textured<Arc<Light>, DirectTexels<>>;
+template <class Light>
+using TexturedPal4Arc = Textured<Arc<Light>, Palette4Texels<>>;
+template <class Light>
+using TexturedGrayArc = Textured<Arc<Light>, GrayTexels>;
+template <class Light>
+using MaskedFlat = Textured<Flat<Light>, Palette8Texels<Alpha1Colour>>;
+template <class Light>
+using MaskedGreyGouraud = Textured<GreyGouraud<Light>, Palette8Texels<Alpha1Colour>>;
+template <class Light>
+using MaskedArc = Textured<Arc<Light>, Palette8Texels<Alpha1Colour>>;
 template <class Light>
 using TexturedBilinearArc =
     Textured<Arc<Light>, Palette8Texels<>, texel_light_of<Arc<Light>>(), TextureFilter::kBilinear>;

@@ -10,9 +10,12 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace arcspan::tools;
@@ -103,6 +106,12 @@ TEST_CASE("triangles across a clip plane are events of every band") {
   // Clipping leaves up to a corner more for each plane, or nothing.
   CHECK(amount_of(whole, "clip corner") > 2 * cut);
   CHECK(amount_of(whole, "clip corner") < 6 * cut);
+  // Six planes, each of which cuts two edges or none.
+  CHECK(amount_of(whole, "clip step") > 3 * cut);
+  CHECK(amount_of(whole, "clip step") < 6 * 9 * cut);
+  CHECK(amount_of(whole, "clip cut") > cut);
+  CHECK(std::fmod(amount_of(whole, "clip cut"), 2) == 0);
+  CHECK(amount_of(whole, "clip cut") < amount_of(whole, "clip step"));
   CHECK(amount_of(picture_of(16), "clipped triangle") > cut);
   for (const ForecastCore& core : kForecastCores) {
     auto without = whole;
@@ -136,6 +145,72 @@ TEST_CASE("bilinear texels cost more than the nearest ones") {
       CHECK(more < 120 * texels);
     }
   }
+}
+
+TEST_CASE("fronts among the triangles that planes leave are events of their own") {
+  FixedModel model = loaded("sphere:8x4");
+  const auto picture = [&model] {
+    Scene scene;
+    scene.size = {320, 240};
+    scene.camera.view = {0, 0, 1};  // planes tell nothing where the sphere around them is cut
+    return picture_events("arc", make_job(scene, model, "sphere")).value();
+  };
+  const auto plain = picture();
+  CHECK(amount_of(plain, "facing front") == 0);
+  model.meshes[0] = with_planes(std::move(model.meshes[0]), "sphere");
+  const auto planes = picture();
+  CHECK(amount_of(planes, "front") == 0);
+  CHECK(amount_of(planes, "facing front") == amount_of(plain, "front"));
+  REQUIRE(amount_of(planes, "facing front") > 10);
+  CHECK(amount_of(planes, "facing triangle") >= amount_of(planes, "facing front"));
+}
+
+TEST_CASE("backs that are drawn are events of their own") {
+  const FixedModel model = loaded("sphere:8x4");
+  RenderJob job = job_of(model, 90);
+  const auto front = picture_events("arc", job).value();
+  job.parts[0].two_sided = true;
+  const auto both = picture_events("arc", job).value();
+  CHECK(amount_of(front, "back") == 0);
+  const double backs = amount_of(both, "back");
+  REQUIRE(backs > 10);
+  CHECK(backs == amount_of(both, "triangle in view") - amount_of(front, "triangle in view"));
+}
+
+TEST_CASE("pixels of transparent texels are events of their own") {
+  const FixedModel model = loaded(std::string(ARCSPAN_MODELS) + "/sign.obj");
+  RenderJob job = job_of(model, 90);
+  std::erase_if(job.parts, [](const RenderPart& part) { return part.texture == nullptr; });
+  const auto opaque = picture_events("arc", job).value();
+  CHECK(opaque[0].weights == "textured arc");
+  CHECK(amount_of(opaque, "masked texel") == 0);
+  // A texel of one part, after which the textures of all have alpha.
+  const auto mask = [](std::size_t texels, RenderPart& part) {
+    auto texture = std::make_shared<SurfaceTexture>(*part.texture);
+    std::fill_n(texture->texels.begin(), texels, 0u);
+    REQUIRE(
+        ok(arcspan::Texture<SurfaceTexels>::make(texture->texels, part.texture->view.size(), texture->view)));
+    part.texture = std::move(texture);
+  };
+  RenderJob masked = job;
+  masked.parts.push_back(job.parts[0]);
+  mask(1, masked.parts[1]);
+  for (const char* shading : {"flat", "gouraud", "arc"}) {
+    const auto picture = picture_events(shading, masked).value();
+    CHECK(picture[0].weights == "masked " + std::string(shading));
+    for (const ForecastCore& core : kForecastCores)
+      CHECK(instructions_on(core.weights, {picture[0]}).value() >
+            instructions_on(core.weights, picture_events(shading, job).value()).value());
+  }
+  mask(job.parts[0].texture->texels.size(), job.parts[0]);
+  const auto transparent = picture_events("arc", job).value();
+  CHECK(sum_of(transparent, "written") == 0);
+  CHECK(amount_of(transparent, "masked texel") ==
+        sum_of(transparent, "pixel"));  // none of them hides another
+  REQUIRE(amount_of(transparent, "masked texel") > 100);
+  for (const ForecastCore& core : kForecastCores)
+    CHECK(instructions_on(core.weights, transparent).value() <
+          instructions_on(core.weights, {picture_events("arc", masked).value()[0]}).value());
 }
 
 TEST_CASE("highlights that are black or coloured are events of their own") {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `arcspan mesh --forecast`, as a user runs it.
+#include <arcspan_tools/simulate/forecast.hpp>
 #include <arcspan_tools/simulate/pose_cost.hpp>
 #include <arcspan_tools/simulate/processor_cost.hpp>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <tests/tools/command_run.hpp>
+#include <tests/tools/gltf_rig.hpp>
 #include <tests/tools/temporary_folder.hpp>
 
 #include <array>
@@ -115,6 +117,68 @@ TEST_CASE("flat shading poses the faces that it shades once more, not small ones
   CHECK(amounts("flat", 2).normals == Kinds{});
 }
 
+TEST_CASE("morph targets are posed, too") {
+  using namespace arcspan::tools;
+  FixedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
+  mesh.indices = {0, 1, 2, 0, 2, 3, 0, 2, 1};  // two fronts and a back
+  FixedPartMotion motion;
+  motion.morph.emplace();
+  motion.morph->records = {{}, {{}}, {{}, {}, {}}, {{}}};  // of 0, 1, 3 and 1 targets
+  FixedAnimation animation;
+  const auto amounts = [&](const char* shading, double shaded) {
+    animation.parts = {motion};
+    FixedModel model;
+    model.meshes = {mesh};
+    model.animation = std::make_shared<FixedAnimation>(animation);
+    return pose_amounts(model, model, {4, 4, 99}, shading, shaded);
+  };
+  CHECK(amounts("arc", 4).morphed_positions.vertices == 4);
+  CHECK(amounts("arc", 4).morphed_positions.targets == 5);
+  CHECK(amounts("arc", 4).morphed_normals.vertices == 0);  // they stay as they are
+  CHECK(amounts("flat", 2).morphed_positions.vertices == 4 + 6);
+  CHECK(amounts("flat", 2).morphed_positions.targets == 5 + 8);
+  motion.morph->has_normals = true;
+  CHECK(amounts("arc", 4).morphed_normals.vertices == 3);
+  CHECK(amounts("arc", 8).morphed_normals.targets == 2 * 5);
+  CHECK(amounts("flat", 2).morphed_normals.vertices == 0);
+  PoseAmounts one;
+  one.morphed_positions = {10, 10};
+  PoseAmounts four;
+  four.morphed_positions = {10, 40};
+  for (const ForecastCore& core : kForecastCores) {
+    const auto cost = [&core](const char* name) { return pose_cost(core.weights, name); };
+    CHECK(pose_instructions(core.weights, one) ==
+          Approx(10 * (cost("position morph 1") - cost("position 0"))));
+    CHECK(pose_instructions(core.weights, four) ==
+          Approx(10 * (cost("position morph 4") - cost("position 0"))));
+    CHECK(cost("position morph 4") > cost("position morph 1") + 3 * 10);
+    CHECK(cost("normal morph 4") > cost("normal morph 1") + 3 * 10);
+    CHECK(cost("normal morph 1") > cost("normal 0") + 100);
+  }
+}
+
+TEST_CASE("a forecast of morph targets has their memory and their vertices") {
+  const TemporaryFolder folder;
+  const auto forecast_with = [&folder](std::size_t targets) {
+    GltfRig rig = bending_tube();
+    rig.clip("bend");
+    rig.channel(2, "rotation", {0, 1}, rig.quadruples(joined({turn_z(0), turn_z(30)})));
+    const Floats pull(make_tube(9).positions.size(), .1f);
+    for (std::size_t i = 0; i < targets; ++i)
+      rig.json["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", rig.vectors(pull)}});
+    std::ofstream(folder / "tube.glb", std::ios::binary) << rig.glb();
+    return forecast_of(folder / "tube.glb");
+  };
+  const nlohmann::json none = forecast_with(0);
+  const nlohmann::json two = forecast_with(2);
+  CHECK(two.at("ram").at("pose").get<int>() == none.at("ram").at("pose").get<int>() + 2 * 2);
+  const auto posing = [](const nlohmann::json& made) {
+    return made.at("posing").at("Cortex-M3").get<double>();
+  };
+  CHECK(posing(two) > posing(none) + 36 * 50);
+}
+
 TEST_CASE("a forecast of a tiny picture poses few faces for flat shading") {
   const std::string walker = std::string(ARCSPAN_EXAMPLES) + "/walker/walker.glb --size 12x16";
   const nlohmann::json moves = forecast_of(walker);
@@ -149,6 +213,21 @@ TEST_CASE("a forecast draws textures in the size and with the levels that are co
     return figure(forecast_of(sign, options), "arc", "Cortex-M3");
   };
   CHECK(arc("--texture-levels all") > arc("--texture-levels 1"));
+}
+
+TEST_CASE("a forecast draws textures in the format that is compiled") {
+  const std::string sign = std::string(ARCSPAN_MODELS) + "/sign.obj --texture-format ";
+  const nlohmann::json pal8 = forecast_of(sign + "pal8");
+  const nlohmann::json pal4 = forecast_of(sign + "pal4");
+  const nlohmann::json gray = forecast_of(sign + "gray");
+  const nlohmann::json direct = forecast_of(sign + "rgb565");
+  for (const char* core : {"Cortex-M0+", "Cortex-M3", "Cortex-M4", "RV32IMC"}) {
+    CAPTURE(core);
+    CHECK(figure(pal4, "arc", core) > figure(gray, "arc", core));
+    CHECK(figure(gray, "arc", core) > figure(pal8, "arc", core));
+    CHECK(figure(pal8, "arc", core) > figure(direct, "arc", core));
+    CHECK(figure(pal4, "arc", core) < 1.2 * figure(pal8, "arc", core));
+  }
 }
 
 TEST_CASE("a forecast says that borders of textures are not in it") {

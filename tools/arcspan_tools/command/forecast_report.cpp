@@ -61,11 +61,10 @@ std::string to_text(const Forecast& f) {
   text +=
       "  mostly within 5 % of a program with one method and one kind of mesh, 7 % of others, as measured\n";
   if (f.borders) text += "  textures that do not repeat take up to 45 instructions more per pixel\n";
-  if (f.morphs) text += "  morph targets are not in it\n";
   return text + formatted(
                     "  flash: %zu bytes of model, and the program; RAM: %zu bytes of colours and depths, or "
                     "%zu in bands,\n    %zu of vertices, or in bands %zu and %zu of rows of triangles "
-                    "(fewer or none is slower), %zu of nodes and joints\n",
+                    "(fewer or none is slower), %zu of nodes, joints and morph targets\n",
                     f.model_bytes, f.frame_bytes, f.band_bytes, f.cache_bytes, f.kept_bytes, f.row_bytes,
                     f.pose_bytes);
 }

@@ -193,8 +193,9 @@ Made make(const MeshArguments& arguments, CompiledOutput output) {
   report.figures = figures_of(report.compiled.model);
 #ifdef ARCSPAN_HAS_ESTIMATES
   if (arguments.forecast)
-    report.forecast = forecast(with_made_textures(report.compiled.model, made.textures), report.bytes,
-                               arguments.forecast_size, arguments.cpu_mhz, arguments.model);
+    report.forecast =
+        forecast(with_made_textures(report.compiled.model, made.textures), report.bytes,
+                 arguments.forecast_size, arguments.cpu_mhz, arguments.model, texture_options.format.layout);
 #endif
   return made;
 }

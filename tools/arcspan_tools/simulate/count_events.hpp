@@ -127,7 +127,7 @@ class CountedTriangles {
   DrawEvents& events_;
 };
 
-/// Counts what clipping a triangle on one of its sides leaves.
+/// Counts what clipping a triangle on one of its sides takes and leaves.
 template <class Method>
 void count_clipped(const VertexStage<Method>& stage, const TriangleIndices& t, arcspan::detail::Facing facing,
                    DrawEvents& events) {
@@ -137,7 +137,16 @@ void count_clipped(const VertexStage<Method>& stage, const TriangleIndices& t, a
   std::size_t corner = 0;
   for (const std::uint16_t i : {order.a, order.b, order.c})
     polygon[corner++].position = stage.clip_position(i);
-  clip_polygon(polygon, stage.transform().w_range());
+  const WRange& w_range = stage.transform().w_range();
+  for (const ClipOutcode plane : arcspan::detail::kClipPlanes) {
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < polygon.count(); ++i) {
+      if (arcspan::detail::plane_distance(polygon[i].position, plane, w_range) < 0) ++outside;
+    }
+    events.clip_steps += static_cast<double>(polygon.count());
+    if (outside > 0 && outside < polygon.count()) events.clip_cuts += 2;
+    polygon.clip(plane, w_range);
+  }
   events.clip_corners += static_cast<double>(polygon.count());
 }
 
@@ -168,9 +177,10 @@ void count_triangles(const VertexStage<Method>& stage, const std::vector<CachedV
     const RasterPosition& r = c.raster.position;
     const std::int32_t area = doubled_area(p, q, r);
     if (arcspan::detail::is_culled_by_area<Method>(area, two_sided)) continue;
-    ++events.fronts;
+    ++(known ? events.facing_fronts : events.fronts);
     if (scissor.test(p, q, r) == arcspan::detail::ScissorTest::kOutside) continue;
     ++events.in_view;
+    if (area > 0) ++events.backs;
     if constexpr (DrawsSmallTriangles<Method>) {
       SortedVertices<Method> sorted{&a.raster, &b.raster, &c.raster, area < 0};
       arcspan::detail::sort_by_height(sorted);

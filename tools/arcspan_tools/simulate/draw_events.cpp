@@ -41,9 +41,13 @@ std::vector<CostTerm> DrawEvents::terms() const {
   add("triangle", triangles, terms);
   add("facing triangle", facing, terms);
   add("front", fronts, terms);
+  add("facing front", facing_fronts, terms);
   add("clipped triangle", clipped, terms);
+  add("clip step", clip_steps, terms);
+  add("clip cut", clip_cuts, terms);
   add("clip corner", clip_corners, terms);
   add("triangle in view", in_view, terms);
+  add("back", backs, terms);
   add("small row", small_rows, terms);
   add("small empty", small_empty, terms);
   add("small rowless", small_rowless, terms);
@@ -61,7 +65,7 @@ std::vector<CostTerm> DrawEvents::terms() const {
   add("perspective span", perspective_spans, terms);
   add("piece", pieces, terms);
   add("new level", new_levels, terms);
-  add("bilinear texel", bilinear, terms);
+  add("masked texel", masked, terms);
   add("shiny pixel", shiny, terms);
   add("tinted pixel", tinted, terms);
   add_paths("small", small, terms);

@@ -40,11 +40,15 @@ struct DrawEvents {
   double row_entries = 0;     ///< rows of triangles compared with a band
   double batches = 0;         ///< rows of batches compared with a band
   double triangles = 0;       ///< whose area is tested
-  double facing = 0;          ///< the same, but known by their planes to face the camera
-  double fronts = 0;          ///< not culled
+  double facing = 0;          ///< the same, but their planes say that they may face the camera
+  double fronts = 0;          ///< of `triangles` not culled, whichever side they show
+  double facing_fronts = 0;   ///< the same of `facing`
   double clipped = 0;         ///< across a clip plane
+  double clip_steps = 0;      ///< corners compared with a plane
+  double clip_cuts = 0;       ///< new corners on a plane
   double clip_corners = 0;    ///< of what clipping leaves of these
   double in_view = 0;         ///< fronts within the band
+  double backs = 0;           ///< those of them that show their back
   double small_rows = 0;      ///< of small triangles, with or without pixels
   double small_empty = 0;     ///< small triangles without pixels, but with rows
   double small_rowless = 0;   ///< small triangles between the centres of two rows
@@ -62,7 +66,7 @@ struct DrawEvents {
   double perspective_spans = 0;
   double pieces = 0;      ///< of rows that are linear in a texture in perspective
   double new_levels = 0;  ///< pieces that change the mip level
-  double bilinear = 0;    ///< pixels written with bilinear texels
+  double masked = 0;      ///< pixels in front that are left out, because their texels are transparent
   double shiny = 0;       ///< pixels written with a highlight
   double tinted = 0;      ///< pixels of Arc within the reach of a highlight that is coloured or black
   std::array<Path, kPaths> small{};

@@ -32,8 +32,14 @@ struct EventRun : Run {
   template <class Lighting>
   [[nodiscard]] auto colour(const Lighting& lighting) const {
     EventTarget& target = *EventTarget::current;
-    ++target.path->written;
     auto shown = Run::colour(lighting);
+    if constexpr (MaskedColour<decltype(shown)>) {
+      if (!shown.covers(0, 0)) {
+        ++target.events.masked;
+        return shown;
+      }
+    }
+    ++target.path->written;
     if constexpr (requires { shown.shine; }) {
       if (shown.shine != 0) ++target.events.shiny;
     } else if constexpr (LightRun<Run, Lighting>) {

@@ -61,8 +61,9 @@ void set_memory(const FixedModel& model, Forecast& made) {
   if (model.animation == nullptr) return;
   made.pose_bytes = model.animation->nodes.size() * sizeof(NodeMatrix);
   for (const FixedSkin& skin : model.animation->skins) made.pose_bytes += skin.size() * sizeof(JointMatrix);
-  for (const FixedPartMotion& part : model.animation->parts)
-    made.morphs = made.morphs || part.morph.has_value();
+  for (const FixedPartMotion& part : model.animation->parts) {
+    if (part.morph) made.pose_bytes += part.morph->weights.size() * sizeof part.morph->weights[0];
+  }
 }
 
 void add(CoreFigures& sum, std::size_t core, std::optional<double> some) {
@@ -106,8 +107,8 @@ double shaded_normals(const std::optional<std::vector<PartEvents>>& events, std:
 
 /// Adds the share of a picture to the figures of a method.
 void add_picture(const char* method, const FixedModel& model, const ForecastPicture& picture,
-                 const RenderJob& job, Forecast::Method& row) {
-  const auto events = picture_events(method, job);
+                 const RenderJob& job, TexelLayout layout, Forecast::Method& row) {
+  const auto events = picture_events(method, job, layout);
   const Size size = picture.scene.size;
   PoseAmounts amounts;
   if (model.animation != nullptr)
@@ -146,7 +147,7 @@ std::vector<ForecastPicture> forecast_pictures(const Poser& posed, const std::ve
 }
 
 Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, double mips,
-                  const std::string& subject) {
+                  const std::string& subject, TexelLayout layout) {
   Forecast made;
   made.size = size;
   made.mips = mips;
@@ -169,7 +170,7 @@ Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, d
     RenderJob job = make_job(picture.scene, picture.pose, subject);
     for (std::size_t i = 0; i < std::size(kRows); ++i) {
       job.band_rows = kRows[i].in_bands ? Forecast::kBandRows : size.height;
-      add_picture(kRows[i].method, model, picture, job, made.methods[i]);
+      add_picture(kRows[i].method, model, picture, job, layout, made.methods[i]);
       progress.show(++done);
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/texture/texture_binary.hpp>
+
 #include <arcspan_tools/command/runtime_model.hpp>
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/render/scene.hpp>
@@ -46,12 +48,11 @@ struct Forecast {
   std::size_t cache_bytes = 0;  ///< vertices of the largest part, by arc
   std::size_t kept_bytes = 0;   ///< vertices of all parts, which bands keep: each part has its own
   std::size_t row_bytes = 0;    ///< rows of all their triangles, for bands
-  std::size_t pose_bytes = 0;   ///< nodes and joints
+  std::size_t pose_bytes = 0;   ///< nodes, joints and weights of morph targets
   std::size_t model_bytes = 0;  ///< of flash
   bool textured = false;        ///< a part has a texture
   bool outlined = false;        ///< it has neighbours: its outlines are smoothed
   bool borders = false;         ///< a texture does not repeat, which is not in the figures
-  bool morphs = false;          ///< morph targets move it, which is not in the figures
 
   static constexpr std::int32_t kBandRows = 16;
 };
@@ -71,8 +72,9 @@ using Poser = std::function<FixedModel(const std::string& clip, double seconds)>
 [[nodiscard]] std::vector<ForecastPicture> forecast_pictures(const Poser& posed,
                                                              const std::vector<ClipLength>& clips, Size size);
 
-/// Forecasts forecast_pictures() in rgb565 with depth and one light. `model` has its animation, if it moves.
+/// Forecasts forecast_pictures() in rgb565 with depth and one light, and with textures of a layout. `model`
+/// has its animation, if it moves.
 [[nodiscard]] Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, double mips,
-                                const std::string& subject);
+                                const std::string& subject, TexelLayout layout);
 
 }  // namespace arcspan::tools

@@ -36,6 +36,7 @@ PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 
   amounts.nodes = static_cast<double>(animation.nodes.size());
   std::set<std::size_t> skins;
   std::array<double, 4> corners{};  // of all front faces
+  PoseAmounts::Morphs morphed_corners;
   double fronts = 0;
   double lit = 0;
   for (std::size_t part = 0; part < model.meshes.size(); ++part) {
@@ -43,12 +44,18 @@ PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 
     const bool follows = !motion.weights.empty();
     if (follows) skins.insert(motion.skin);
     for (const FixedWeights& weights : motion.weights) ++amounts.positions[weights.count - 1];
+    const auto targets_of = [&motion](std::size_t i) { return motion.morph->records[i].size(); };
     const FixedMesh& mesh = posed.meshes[part];
+    for (std::size_t i = 0; motion.morph && i < mesh.positions.size(); ++i)
+      amounts.morphed_positions.add(targets_of(i));
     std::vector<bool> is_lit(mesh.positions.size());
     fronts += for_each_front(mesh, (eye - mesh.centre) * (1 / mesh.unit), [&](std::size_t i) {
       const double once = is_lit[i] ? 0 : 1;
       is_lit[i] = true;
       lit += once;
+      if (motion.morph) morphed_corners.add(targets_of(i));
+      if (motion.morph && motion.morph->has_normals && once > 0 && targets_of(i) > 0)
+        amounts.morphed_normals.add(targets_of(i));
       if (!follows) return;
       const std::size_t kind = motion.weights[i].count - 1;
       ++corners[kind];
@@ -59,17 +66,29 @@ PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 
   if (shading != "flat") {
     if (lit > 0 && shaded > lit) {
       for (double& some : amounts.normals) some *= shaded / lit;
+      amounts.morphed_normals.vertices *= shaded / lit;
+      amounts.morphed_normals.targets *= shaded / lit;
     }
     return amounts;
   }
   amounts.normals = {};
+  amounts.morphed_normals = {};
   const double share = fronts > 0 ? shaded / fronts : 0;
   for (std::size_t kind = 0; kind < corners.size(); ++kind) amounts.positions[kind] += share * corners[kind];
+  amounts.morphed_positions.vertices += share * morphed_corners.vertices;
+  amounts.morphed_positions.targets += share * morphed_corners.targets;
   return amounts;
 }
 
 double pose_instructions(std::string_view core, const PoseAmounts& amounts) {
-  double sum = amounts.nodes * pose_cost(core, "node") + amounts.joints * pose_cost(core, "joint");
+  // Costs of vertices that 1 and 4 targets move; with other numbers they are on a line through both.
+  const auto morphing = [core](const std::string& kind, const PoseAmounts::Morphs& morphs) {
+    const double one = pose_cost(core, kind + " morph 1");
+    const double more = (pose_cost(core, kind + " morph 4") - one) / 3;
+    return morphs.vertices * (one - pose_cost(core, kind + " 0") - more) + morphs.targets * more;
+  };
+  double sum = morphing("position", amounts.morphed_positions) + morphing("normal", amounts.morphed_normals);
+  sum += amounts.nodes * pose_cost(core, "node") + amounts.joints * pose_cost(core, "joint");
   for (std::size_t i = 0; i < 4; ++i) {
     // Drawing a mesh at rest, which is in the other terms, takes its own positions and normals.
     const std::string weights = std::to_string(i + 1);

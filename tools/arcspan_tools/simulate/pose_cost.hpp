@@ -5,23 +5,37 @@
 #include <arcspan_tools/support/vec3.hpp>
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace arcspan::tools {
 
 /// What of a model is posed for a picture.
 struct PoseAmounts {
+  /// Vertices of parts with morph targets, and by how many targets all these are moved.
+  struct Morphs {
+    double vertices = 0;
+    double targets = 0;
+
+    void add(std::size_t of_vertex) {
+      ++vertices;
+      targets += static_cast<double>(of_vertex);
+    }
+  };
+
   double nodes = 0;
   double joints = 0;
   std::array<double, 4> positions{};  ///< of vertices with 1, 2, 3 and 4 weights
   std::array<double, 4> normals{};
+  Morphs morphed_positions{};
+  Morphs morphed_normals{};  ///< that are moved
 };
 
 /// The amounts for a picture of `posed`, which is `model` in a pose, from `eye`, by a method: positions of
 /// all vertices, and normals of those of front faces. `shaded` is how many normals were shaded: more
 /// where backs are drawn, which shade each corner anew. With flat shading it counts faces: they take no
 /// normals of vertices, but the positions of their corners once more, and are fewer than front faces where
-/// small ones have no pixel. Morph targets are not counted. `model` has its animation.
+/// small ones have no pixel. `model` has its animation.
 [[nodiscard]] PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 eye,
                                        std::string_view shading, double shaded);
 

@@ -13,6 +13,7 @@
 #include <arcspan_tools/support/failure.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -67,31 +68,51 @@ using Phong = Illumination<1, Highlight::kPhong>;
 template <class Method>
 using WithTexels = Textured<Method, SurfaceTexels>;
 
+/// What a method reads of the textures of a model, which have one format.
+enum class Texels { kNone, kOpaque, kMasked };
+
 /// A method with weights.
 struct CountedMethod {
   const char* weights;
   std::string_view shading;
-  bool textured;
+  Texels texels;
   std::optional<Highlight> highlight;  ///< of methods whose pixels depend on it
   void (*count)(const RenderPart&, const RenderJob&, EventPicture&, DrawEvents&);
 };
 
-constexpr std::array<CountedMethod, 9> kCountedMethods = {{
-    {"flat", "flat", false, {}, count_part<Flat<Blinn>, Blinn>},
-    {"gouraud", "gouraud", false, {}, count_part<Gouraud<Blinn>, Blinn>},
-    {"segment phong", "segment", false, Highlight::kPhong, count_part<Segment<Phong>, Phong>},
-    {"segment blinn", "segment", false, Highlight::kBlinn, count_part<Segment<Blinn>, Blinn>},
-    {"arc phong", "arc", false, Highlight::kPhong, count_part<Arc<Phong>, Phong>},
-    {"arc blinn", "arc", false, Highlight::kBlinn, count_part<Arc<Blinn>, Blinn>},
-    {"textured flat", "flat", true, {}, count_part<WithTexels<Flat<Blinn>>, Blinn>},
-    {"textured gouraud", "gouraud", true, {}, count_part<WithTexels<GreyGouraud<Blinn>>, Blinn>},
-    {"textured arc", "arc", true, Highlight::kBlinn, count_part<WithTexels<Arc<Blinn>>, Blinn>},
+constexpr std::array<CountedMethod, 12> kCountedMethods = {{
+    {"flat", "flat", Texels::kNone, {}, count_part<Flat<Blinn>, Blinn>},
+    {"gouraud", "gouraud", Texels::kNone, {}, count_part<Gouraud<Blinn>, Blinn>},
+    {"segment phong", "segment", Texels::kNone, Highlight::kPhong, count_part<Segment<Phong>, Phong>},
+    {"segment blinn", "segment", Texels::kNone, Highlight::kBlinn, count_part<Segment<Blinn>, Blinn>},
+    {"arc phong", "arc", Texels::kNone, Highlight::kPhong, count_part<Arc<Phong>, Phong>},
+    {"arc blinn", "arc", Texels::kNone, Highlight::kBlinn, count_part<Arc<Blinn>, Blinn>},
+    {"textured flat", "flat", Texels::kOpaque, {}, count_part<WithTexels<Flat<Blinn>>, Blinn>},
+    {"textured gouraud", "gouraud", Texels::kOpaque, {}, count_part<WithTexels<GreyGouraud<Blinn>>, Blinn>},
+    {"textured arc", "arc", Texels::kOpaque, Highlight::kBlinn, count_part<WithTexels<Arc<Blinn>>, Blinn>},
+    {"masked flat", "flat", Texels::kMasked, {}, count_part<WithTexels<Flat<Blinn>>, Blinn>},
+    {"masked gouraud", "gouraud", Texels::kMasked, {}, count_part<WithTexels<GreyGouraud<Blinn>>, Blinn>},
+    {"masked arc", "arc", Texels::kMasked, Highlight::kBlinn, count_part<WithTexels<Arc<Blinn>>, Blinn>},
 }};
 
-const CountedMethod* find_method(std::string_view shading, const RenderPart& part, Highlight highlight) {
+/// True if a texel is transparent: the textures of all parts are compiled with a bit of alpha.
+bool has_masks(const RenderJob& job) {
+  const auto is_transparent = [](std::uint32_t texel) {
+    return SurfaceTexels::ColourFormat::alpha(texel) == 0;
+  };
+  return std::any_of(job.parts.begin(), job.parts.end(), [&](const RenderPart& part) {
+    if (part.texture == nullptr) return false;
+    const std::vector<std::uint32_t>& texels = part.texture->texels;
+    return std::any_of(texels.begin(), texels.end(), is_transparent);
+  });
+}
+
+const CountedMethod* find_method(std::string_view shading, const RenderPart& part, bool masks,
+                                 Highlight highlight) {
   if (part.vertex_colours || part.transparency != Transparency::kNone) return nullptr;
+  const Texels texels = part.texture == nullptr ? Texels::kNone : masks ? Texels::kMasked : Texels::kOpaque;
   for (const CountedMethod& method : kCountedMethods) {
-    if (method.shading == shading && method.textured == (part.texture != nullptr) &&
+    if (method.shading == shading && method.texels == texels &&
         method.highlight.value_or(highlight) == highlight)
       return &method;
   }
@@ -105,26 +126,36 @@ void draw_hidden(DrawEvents& events) {
   }
 }
 
-/// Events are counted with the nearest texel: a bilinear filter draws the same pixels.
-void count_bilinear(const RenderPart& part, DrawEvents& events) {
-  if (part.texture == nullptr || part.texture->view.sampler().filter != TextureFilter::kBilinear) return;
+/// Events are counted with the nearest texel of 8 bits: others are drawn in the same pixels. Adds what these
+/// take more or less, for each pixel whose texel is looked up.
+void add_texels(const RenderPart& part, TexelLayout layout, const DrawEvents& events,
+                std::vector<CostTerm>& terms) {
+  if (part.texture == nullptr) return;
+  double texels = events.masked;
   for (const auto* paths : {&events.small, &events.large, &events.perspective}) {
-    for (const DrawEvents::Path& path : *paths) events.bilinear += path.written;
+    for (const DrawEvents::Path& path : *paths) texels += path.written;
   }
+  if (part.texture->view.sampler().filter == TextureFilter::kBilinear)
+    terms.push_back({"bilinear texel", texels});
+  if (layout == TexelLayout::kDirect) terms.push_back({"direct texel", texels});
+  if (layout == TexelLayout::kPalette4) terms.push_back({"pal4 texel", texels});
+  if (layout == TexelLayout::kGray) terms.push_back({"gray texel", texels});
 }
 
 }  // namespace
 
-std::optional<std::vector<PartEvents>> picture_events(std::string_view shading, const RenderJob& job) {
+std::optional<std::vector<PartEvents>> picture_events(std::string_view shading, const RenderJob& job,
+                                                      TexelLayout layout) {
   if (job.lights.size() != 1 || job.fog != nullptr || job.matcap != nullptr) return std::nullopt;
   // The weights of arc are those of gradual highlights; the others draw no toon highlights.
   if (job.toon_steps != 0 && shading == "arc") return std::nullopt;
   JobOutlines outlines(job);
+  const bool masks = has_masks(job);
   EventPicture picture(job.transform.viewport(), job.band_rows, outlines.margin());
   std::vector<PartEvents> found;
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     RenderPart part = job.parts[i];
-    const CountedMethod* const method = find_method(shading, part, job.highlight);
+    const CountedMethod* const method = find_method(shading, part, masks, job.highlight);
     if (method == nullptr) return std::nullopt;
     for (const MeshView& mesh : {part.mesh, outlines.curves(i)}) {
       if (mesh.triangle_count() == 0) continue;
@@ -132,8 +163,8 @@ std::optional<std::vector<PartEvents>> picture_events(std::string_view shading, 
       DrawEvents events;
       method->count(part, job, picture, events);
       if (!job.depth) draw_hidden(events);
-      count_bilinear(part, events);
       found.push_back({method->weights, events.terms()});
+      add_texels(part, layout, events, found.back().terms);
     }
   }
   if (!outlines.empty()) found.push_back({kOutlineWeights, count_outlines(job, outlines, picture).terms()});

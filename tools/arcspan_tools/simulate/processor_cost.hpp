@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/texture/texture_binary.hpp>
+
 #include <arcspan_tools/render/render.hpp>
 #include <arcspan_tools/simulate/draw_events.hpp>
 
@@ -25,11 +27,11 @@ struct PartEvents {
   std::vector<CostTerm> terms;
 };
 
-/// The events of drawing the parts of a job by a method, those with textures by its textured form, which is
-/// that of GreyGouraud for gouraud, and at last those of its outlines, if it has some. Nothing if there are
-/// several lights, toon light by arc, or an effect or a method without weights.
-[[nodiscard]] std::optional<std::vector<PartEvents>> picture_events(std::string_view shading,
-                                                                    const RenderJob& job);
+/// The events of drawing the parts of a job by a method, those with textures, of a layout, by its textured
+/// form, which is that of GreyGouraud for gouraud, and at last those of its outlines, if it has some. Nothing
+/// if there are several lights, toon light by arc, or an effect or a method without weights.
+[[nodiscard]] std::optional<std::vector<PartEvents>> picture_events(
+    std::string_view shading, const RenderJob& job, TexelLayout layout = TexelLayout::kPalette8);
 
 /// Instructions that a core takes for these events; nothing if it has no weights for them.
 [[nodiscard]] std::optional<double> instructions_on(std::string_view core,

@@ -41,8 +41,7 @@ struct WideVector {
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normal_along_wide(const ObjectVector& u,
                                                                     const ObjectVector& v) {
   const WideVector normal = cross(u, v);
-  const NarrowVector narrow(normal.x, normal.y, normal.z);
-  return nearly_normalised(narrow.x, narrow.y, narrow.z);
+  return wide_unit_along(normal.x, normal.y, normal.z, nearly_normalised);
 }
 /// The unit vector along u x v, by 32-bit products if all components are below 2^15 in magnitude, as in fine
 /// meshes.

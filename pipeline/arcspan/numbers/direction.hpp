@@ -67,82 +67,60 @@ namespace detail {
   return square(v.x) + square(v.y) + square(v.z) - ((std::uint64_t{1} << 30) - kOff) <= 2 * kOff;
 }
 
-/// A vector of any length, scaled by a power of two.
-struct ScaledVector {
-  std::int32_t x;
-  std::int32_t y;
-  std::int32_t z;
+/// The unit vector along (x, y, z), by the ReciprocalRoot that root_of() returns for 2^28 ... 3 * 2^30.
+template <class RootOf>
+[[nodiscard]] ARCSPAN_INLINE constexpr Direction unit_along(std::int32_t x, std::int32_t y, std::int32_t z,
+                                                            const RootOf& root_of) {
+  const std::uint32_t bits = magnitude(x) | magnitude(y) | magnitude(z);
+  if (bits == 0) return {};
+  // Scaled so that the largest component has 15 bits, the sum of squares fits 32 bits.
+  const int shift = 17 - leading_zeros(bits);
+  const auto scaled = [shift](std::int32_t c) { return shift >= 0 ? c >> shift : wrap_shl(c, -shift); };
+  const std::int32_t sx = scaled(x);
+  const std::int32_t sy = scaled(y);
+  const std::int32_t sz = scaled(z);
+  const std::uint32_t square = static_cast<std::uint32_t>(sx * sx) + static_cast<std::uint32_t>(sy * sy) +
+                               static_cast<std::uint32_t>(sz * sz);
+  const ReciprocalRoot root = root_of(square);
+  const int down = root.exponent - DirectionComponent::kFraction;  // 15 or 16
+  const auto component = [&](std::int32_t c) {
+    // -2^15 <= c < 2^15, and the mantissa is at most 2^16, so that all fits. Halves are rounded up.
+    const std::int32_t product = c * static_cast<std::int32_t>(root.mantissa);
+    return DirectionComponent::from_raw((product + (std::int32_t{1} << (down - 1))) >> down);
+  };
+  return {component(sx), component(sy), component(sz)};
+}
 
-  /// The largest component of `bits`, all magnitudes together, gets 15 bits, so that squares fit 32.
-  constexpr ScaledVector(std::int32_t from_x, std::int32_t from_y, std::int32_t from_z, std::uint32_t bits) {
-    const int shift = 17 - leading_zeros(bits);
-    const auto scaled = [shift](std::int32_t c) { return shift >= 0 ? c >> shift : wrap_shl(c, -shift); };
-    x = scaled(from_x);
-    y = scaled(from_y);
-    z = scaled(from_z);
-  }
-  [[nodiscard]] constexpr std::uint32_t square() const {
-    return static_cast<std::uint32_t>(x * x) + static_cast<std::uint32_t>(y * y) +
-           static_cast<std::uint32_t>(z * z);
-  }
-  /// The vector times factor * 2^-down. The factor is at most 2^16; halves are rounded up.
-  [[nodiscard]] constexpr Direction times(std::int32_t factor, int down) const {
-    const std::int32_t half = std::int32_t{1} << (down - 1);
-    const auto component = [&](std::int32_t c) {  // -2^15 to 2^15 - 1, so that the product fits
-      return DirectionComponent::from_raw((c * factor + half) >> down);
-    };
-    return {component(x), component(y), component(z)};
-  }
-};
+/// What `unit_of` returns for the components, shifted to the right as far as they need to fit 32 bits.
+template <class UnitOf>
+[[nodiscard]] constexpr Direction wide_unit_along(std::int64_t x, std::int64_t y, std::int64_t z,
+                                                  const UnitOf& unit_of) {
+  const int bits = static_cast<int>(std::bit_width(magnitude(x) | magnitude(y) | magnitude(z)));
+  const int down = bits > 31 ? bits - 31 : 0;
+  return unit_of(static_cast<std::int32_t>(x >> down), static_cast<std::int32_t>(y >> down),
+                 static_cast<std::int32_t>(z >> down));
+}
 
 }  // namespace detail
 
 /// The unit vector along (x, y, z), a vector of any length. The zero vector gives the zero vector.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised(std::int32_t x, std::int32_t y, std::int32_t z) {
-  const std::uint32_t bits = magnitude(x) | magnitude(y) | magnitude(z);
-  if (bits == 0) return {};
-  const detail::ScaledVector v(x, y, z, bits);
-  const ReciprocalRoot length = reciprocal_root(v.square());
-  return v.times(static_cast<std::int32_t>(length.mantissa), length.exponent - DirectionComponent::kFraction);
+  return detail::unit_along(x, y, z, reciprocal_root);
 }
 
 /// normalised() for what is shaded in every frame: by a table of roots, so that the length is 1 within 2^-12.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction nearly_normalised(std::int32_t x, std::int32_t y,
                                                                     std::int32_t z) {
-  const std::uint32_t bits = magnitude(x) | magnitude(y) | magnitude(z);
-  if (bits == 0) return {};
-  const detail::ScaledVector v(x, y, z, bits);
-  const std::uint32_t square = v.square();  // 2^28 ... 3 * 2^30
-  const int halved = (square >> 30) != 0 ? 1 : 0;
-  return v.times(static_cast<std::int32_t>(detail::tabled_reciprocal_root(square >> (2 * halved))),
-                 15 + halved);
+  return detail::unit_along(x, y, z, [](std::uint32_t square) {
+    const int halved = (square >> 30) != 0 ? 1 : 0;
+    return ReciprocalRoot{detail::tabled_reciprocal_root(square >> (2 * halved)), 30 + halved};
+  });
 }
-
-namespace detail {
-
-/// A vector, shifted to the right as far as its components need to fit 32 bits.
-struct NarrowVector {
-  std::int32_t x;
-  std::int32_t y;
-  std::int32_t z;
-
-  constexpr NarrowVector(std::int64_t from_x, std::int64_t from_y, std::int64_t from_z) {
-    const auto bits =
-        static_cast<int>(std::bit_width(magnitude(from_x) | magnitude(from_y) | magnitude(from_z)));
-    const int down = bits > 31 ? bits - 31 : 0;
-    x = static_cast<std::int32_t>(from_x >> down);
-    y = static_cast<std::int32_t>(from_y >> down);
-    z = static_cast<std::int32_t>(from_z >> down);
-  }
-};
-
-}  // namespace detail
 
 /// normalised() for wider components.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction normalised_wide(std::int64_t x, std::int64_t y,
                                                                   std::int64_t z) {
-  const detail::NarrowVector v(x, y, z);
-  return normalised(v.x, v.y, v.z);
+  return detail::wide_unit_along(x, y, z, normalised);
 }
 
 /// The unit vector half-way between two unit vectors, as Blinn's H from L and V. Zero if they are opposite.

@@ -25,7 +25,8 @@ struct JobHead {
   std::uint32_t two_sided = 0;   ///< backs are drawn
 };
 
-/// True if a texel of a texture with `opaque` ones of 8 is one of them. `i` counts those of all levels.
+/// True if a texel of a texture with `opaque` ones of 8, 1...8, is one of them. `i` counts those of all
+/// levels.
 constexpr bool is_opaque_texel(std::size_t i, std::uint32_t opaque) { return ((i ^ i >> 3) & 7) < opaque; }
 
 /// The bytes of an array, so that the next one is aligned.

@@ -67,7 +67,8 @@ namespace detail {
   return square(v.x) + square(v.y) + square(v.z) - ((std::uint64_t{1} << 30) - kOff) <= 2 * kOff;
 }
 
-/// The unit vector along (x, y, z), by the ReciprocalRoot that root_of() returns for 2^28 ... 3 * 2^30.
+/// The unit vector along (x, y, z), by the ReciprocalRoot that root_of() returns for its scaled square,
+/// 2^28 ... 3 * 2^30.
 template <class RootOf>
 [[nodiscard]] ARCSPAN_INLINE constexpr Direction unit_along(std::int32_t x, std::int32_t y, std::int32_t z,
                                                             const RootOf& root_of) {
@@ -91,7 +92,7 @@ template <class RootOf>
   return {component(sx), component(sy), component(sz)};
 }
 
-/// What `unit_of` returns for the components, shifted to the right as far as they need to fit 32 bits.
+/// unit_of() of the components, shifted down until they fit 32 bits.
 template <class UnitOf>
 [[nodiscard]] constexpr Direction wide_unit_along(std::int64_t x, std::int64_t y, std::int64_t z,
                                                   const UnitOf& unit_of) {
@@ -108,7 +109,7 @@ template <class UnitOf>
   return detail::unit_along(x, y, z, reciprocal_root);
 }
 
-/// normalised() for what is shaded in every frame: by a table of roots, so that the length is 1 within 2^-12.
+/// normalised() for what is shaded in every frame: by a table of roots, so that the length is 1 within 2^-13.
 [[nodiscard]] ARCSPAN_OUTLINE constexpr Direction nearly_normalised(std::int32_t x, std::int32_t y,
                                                                     std::int32_t z) {
   return detail::unit_along(x, y, z, [](std::uint32_t square) {

@@ -36,7 +36,8 @@ struct CutFraction {
 /// Component of a unit normal, 2.14 in 16 bits: [-1, 1].
 using NormalComponent = Fixed<std::int16_t, 14>;
 
-/// Component of a Direction, 17.15: [-1, 1]. A dot product of two is three 32-bit multiplies and fits 2.30.
+/// Component of a Direction, 17.15: [-1, 1] and 2^-13 more by rounding. A dot product of two is three 32-bit
+/// multiplies and fits 2.30.
 using DirectionComponent = Fixed<std::int32_t, 15>;
 
 /// Attribute that is linear on the screen, such as depth (0...65535): 16 integer bits and 12 fraction bits,

@@ -110,7 +110,7 @@ namespace detail {
   }
 }
 
-/// a * b, exact.
+/// a * b, exact, without the long routine for 64-bit products on Armv6-M.
 [[nodiscard]] constexpr std::uint64_t wide_product(std::uint32_t a, std::uint32_t b) {
   if constexpr (kHasLongMultiply) return std::uint64_t{a} * b;
   return (std::uint64_t{multiply_high(a, b)} << 32) | (a * b);

@@ -20,10 +20,11 @@ using namespace arcspan::test;
 
 namespace {
 
-std::string bending(const TemporaryFolder& folder, float end = 1) {
+std::string bending(const TemporaryFolder& folder, float end = 1, double last = 0) {
   GltfRig rig = bending_tube(5);
   rig.clip("bend");
-  rig.channel(2, "rotation", {0, end / 2, end}, rig.quadruples(joined({turn_z(0), turn_z(70), turn_z(0)})));
+  rig.channel(2, "rotation", {0, end / 2, end},
+              rig.quadruples(joined({turn_z(0), turn_z(70), turn_z(last)})));
   return folder.file("tube.glb", rig.glb());
 }
 
@@ -62,12 +63,15 @@ TEST_CASE("render draws a pose of a clip, and a sheet of all clips") {
 
 TEST_CASE("the end of a clip, as it is told, is a time of the clip") {
   const TemporaryFolder folder;
-  const std::string draw = "render " + bending(folder, 25.f / 24) + " --size 40x30 -o " + (folder / "a.png");
+  const std::string picture = " --size 40x30 -o " + (folder / "a.png");
+  REQUIRE(run("render " + bending(folder, 1, 40) + picture + " --pose bend@1").status == 0);
+  const Image at_end = read_image(folder / "a.png");
+  const std::string draw = "render " + bending(folder, 25.f / 24, 40) + picture;
   CHECK(run(draw).err.find("bend (1.04167 s)") != std::string::npos);
   REQUIRE(run(draw + " --pose bend@1.04167").status == 0);
-  const Image at_end = read_image(folder / "a.png");
-  REQUIRE(run(draw + " --pose bend@0").status == 0);
   CHECK(read_image(folder / "a.png") == at_end);
+  REQUIRE(run(draw + " --pose bend@0").status == 0);
+  CHECK(read_image(folder / "a.png") != at_end);
   CHECK(run(draw + " --pose bend@1.04168").err ==
         "arcspan: --pose: 1.04168 is after the end of the clip 'bend' at 1.04167 s\n");
 }

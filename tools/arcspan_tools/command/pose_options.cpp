@@ -70,7 +70,7 @@ void check_pose(const Model& model, const PoseChoice& pose, const std::string& s
   const ClipLength clip = find_clip(model, pose.clip, subject, "--pose");
   const std::string asked = formatted("%g", pose.seconds);
   const std::string end = formatted("%g", clip.seconds);
-  // The end as lists tell it may have been rounded up.
+  // Lists print the end rounded, perhaps up.
   if (pose.seconds > clip.seconds && asked != end)
     throw Failure("--pose", asked + " is after the end of the clip '" + clip.name + "' at " + end + " s");
 }

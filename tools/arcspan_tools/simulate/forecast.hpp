@@ -72,7 +72,7 @@ using Poser = std::function<FixedModel(const std::string& clip, double seconds)>
 [[nodiscard]] std::vector<ForecastPicture> forecast_pictures(const Poser& posed,
                                                              const std::vector<ClipLength>& clips, Size size);
 
-/// Forecasts forecast_pictures() in rgb565 with depth and one light, and with textures of a layout. `model`
+/// Forecasts forecast_pictures() in rgb565 with depth and one light, and textures of `layout`. `model`
 /// has its animation, if it moves.
 [[nodiscard]] Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, double mips,
                                 const std::string& subject, TexelLayout layout);

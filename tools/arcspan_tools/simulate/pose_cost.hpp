@@ -12,7 +12,7 @@ namespace arcspan::tools {
 
 /// What of a model is posed for a picture.
 struct PoseAmounts {
-  /// Vertices of parts with morph targets, and by how many targets all these are moved.
+  /// Vertices of parts with morph targets, and the sum of the targets of each.
   struct Morphs {
     double vertices = 0;
     double targets = 0;

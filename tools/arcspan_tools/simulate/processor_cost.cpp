@@ -95,7 +95,7 @@ constexpr std::array<CountedMethod, 12> kCountedMethods = {{
     {"masked arc", "arc", Texels::kMasked, Highlight::kBlinn, count_part<WithTexels<Arc<Blinn>>, Blinn>},
 }};
 
-/// True if a texel is transparent: the textures of all parts are compiled with a bit of alpha.
+/// True if any texel is transparent: then all textures are compiled with a bit of alpha.
 bool has_masks(const RenderJob& job) {
   const auto is_transparent = [](std::uint32_t texel) {
     return SurfaceTexels::ColourFormat::alpha(texel) == 0;

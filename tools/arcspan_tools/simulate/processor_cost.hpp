@@ -27,9 +27,9 @@ struct PartEvents {
   std::vector<CostTerm> terms;
 };
 
-/// The events of drawing the parts of a job by a method, those with textures, of a layout, by its textured
-/// form, which is that of GreyGouraud for gouraud, and at last those of its outlines, if it has some. Nothing
-/// if there are several lights, toon light by arc, or an effect or a method without weights.
+/// The events of drawing the parts of a job by a method, those with textures by its textured form (of
+/// GreyGouraud for gouraud) with texels of `layout`, and at last those of its outlines, if it has some.
+/// Nothing if there are several lights, toon light by arc, or an effect or a method without weights.
 [[nodiscard]] std::optional<std::vector<PartEvents>> picture_events(
     std::string_view shading, const RenderJob& job, TexelLayout layout = TexelLayout::kPalette8);
 

@@ -116,7 +116,7 @@ class SmallMissing {
   Cosine second_difference_;
 };
 
-/// The surface of a small triangle.
+/// The surface of a small triangle, in one piece, so that rows need one reference.
 template <std::size_t Count>
 struct SmallSurface {
   SmallPlanes<Count> planes;

@@ -39,7 +39,7 @@ class SmallCoordinate {
       return wrap_add(wrap_mul(to_middle_, b), wrap_mul(to_bottom_, c));
     }
   }
-  /// change() in repetitions with fewer fraction bits, which saturates instead of wrapping.
+  /// change() in repetitions with kWideBits fraction bits, which saturates instead of wrapping.
   [[nodiscard]] constexpr std::int32_t wide_change(std::int32_t b, std::int32_t c) const {
     return limited((std::int64_t{to_middle_} * b + std::int64_t{to_bottom_} * c) >> (32 - kWideBits),
                    INT32_MAX);
@@ -104,12 +104,14 @@ struct SmallTexture : TextureLevel {
   }
 
  private:
-  /// A bound of the range of 0, a and b, less than four times as large: few triangles of this size come near
-  /// the limits that it is compared with.
+  /// The range of 0, a and b, or 1 less, to twice as much: is_nearly_linear() has room for that 1, and few
+  /// triangles of this size come near its limit.
   [[nodiscard]] static constexpr std::uint32_t most_range(std::int32_t a, std::int32_t b) {
-    return 2 * (detail::step_size(a) | detail::step_size(b));
+    const std::uint32_t size_a = detail::low_magnitude(a);
+    const std::uint32_t size_b = detail::low_magnitude(b);
+    return 2 * (size_a > size_b ? size_a : size_b);
   }
-  /// level_for() by steps that do not wrap, for u or v that range over half a repetition or more.
+  /// level_for() by steps that do not wrap, for u or v that may range over half a repetition.
   [[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned wide_level(const TextureSize& size, std::int32_t log_area,
                                                               const SmallTriangle& triangle) const {
     return detail::level_for(size, log_area, u.wide_change(triangle.d_middle, triangle.d_bottom),

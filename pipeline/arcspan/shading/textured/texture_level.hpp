@@ -80,8 +80,8 @@ namespace detail {
   return mip_level(size, log_area, log_area >> 1);
 }
 
-/// |d|; of a negative d 1 less.
-[[nodiscard]] constexpr std::uint32_t step_size(std::int32_t d) {
+/// |d|; of a negative d 1 less, which takes an instruction less than magnitude().
+[[nodiscard]] constexpr std::uint32_t low_magnitude(std::int32_t d) {
   return static_cast<std::uint32_t>(d ^ (d >> 31));
 }
 
@@ -104,20 +104,20 @@ template <class Wide>
   return low_log2(static_cast<std::uint32_t>(texels >> up)) + 256 * up - low_log2(magnitude(screen_area));
 }
 
-/// The fraction bits of repetitions in 32 bits.
+/// The fraction bits of a step in 32 bits: all but the spare bits.
 template <class Steps>
 [[nodiscard]] constexpr int step_bits([[maybe_unused]] const TextureLevel& level) {
   return 32 - (Steps::kHasBorders ? level.spare_bits : 0);
 }
 
 /// Returns the mip level of a triangle whose u and v change by `du` and `dv` per pixel, repetitions with
-/// `bits` fraction bits, 18 or more.
+/// `bits` fraction bits, 18 or more, so that no shift is negative.
 [[nodiscard]] constexpr unsigned level_for(const TextureSize& size, std::int32_t log_area, std::int32_t du,
                                            std::int32_t dv, int bits) {
   const int drop = bits - 8;
-  return mip_level(
-      size, log_area,
-      log_step(step_size(du) >> (drop - size.width_bits), step_size(dv) >> (drop - size.height_bits)));
+  return mip_level(size, log_area,
+                   log_step(low_magnitude(du) >> (drop - size.width_bits),
+                            low_magnitude(dv) >> (drop - size.height_bits)));
 }
 
 }  // namespace detail

@@ -229,11 +229,11 @@ class PerspectiveTexture {
     at_ = end;
     return last ? left : length;
   }
-  /// A relative change in texels of 2^bits per repetition, 8 fraction bits.
+  /// A relative change in texels, of which a repetition has 2^bits; 8 fraction bits.
   [[nodiscard]] constexpr std::uint32_t texels(std::int32_t change, std::uint8_t word_shift, int bits) const {
     const int spare = Steps::kHasBorders ? triangle_->spare_bits : 0;
     const int left = static_cast<std::int8_t>(word_shift) + spare + bits - 24;
-    const std::uint32_t size = detail::step_size(change);
+    const std::uint32_t size = detail::low_magnitude(change);
     return left < 0 ? size >> -left : size << left;
   }
   /// Chooses the mip level of a piece of steps + 1 pixels that ends at the current 1/w. `du` and `dv` are

@@ -271,7 +271,7 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
 /// The spare bits of a triangle with these corners: one for the sign, one for errors of rounding.
 [[nodiscard]] constexpr std::uint8_t spare_bits_of(const MappedPoint& a, const MappedPoint& b,
                                                    const MappedPoint& c) {
-  const auto size = [](const MappedPoint& p) { return step_size(p.u) | step_size(p.v); };
+  const auto size = [](const MappedPoint& p) { return low_magnitude(p.u) | low_magnitude(p.v); };
   const std::uint32_t all = size(a) | size(b) | size(c);  // with bits at least as high as each magnitude has
   return static_cast<std::uint8_t>(std::bit_width(all >> 16) + 2);
 }

@@ -31,8 +31,8 @@ class AnimationSpace {
   /// Raw numbers of a node's translation and scale in the file.
   [[nodiscard]] std::array<std::int32_t, 3> translation(std::size_t node, Vec3 t) const;
   [[nodiscard]] std::array<std::int32_t, 3> scale(std::size_t node, Vec3 s) const;
-  /// How long a unit of the file is in the model by the constant scales: where a node of nodes() is placed,
-  /// and within the node.
+  /// The length in the model of a unit of the file, by constant scales: at the parent of a node of nodes(),
+  /// and within it.
   [[nodiscard]] double scale_of_parent(std::size_t node) const;
   [[nodiscard]] double scale_of(std::size_t node) const { return scales_[*numbers_[node]]; }
 

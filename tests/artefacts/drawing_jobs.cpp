@@ -12,7 +12,7 @@
 // with the width of their ink or 0; `c` after it inks creases, `r` curves them. EYE is the
 // distance of the camera from the mesh's middle, in its largest coordinate, or 0: the whole mesh is seen.
 // SPECULAR is the red of highlights, which have half of it in green and none in blue, or -1: they are white.
-// SIDES is 2 if backs are drawn, or 1. OPAQUE is how many of 8 texels are, or 0: all.
+// SIDES is 2 if backs are drawn, or 1. OPAQUE is how many of every 8 texels are opaque, or 0: all are.
 #include <arcspan_tools/fixed_point/fixed_mesh.hpp>
 #include <arcspan_tools/mesh/compile/neighbours.hpp>
 #include <arcspan_tools/mesh/file/load.hpp>
@@ -118,7 +118,7 @@ void drop_levels(RenderPart& part) {
   part.texture = std::move(texture);
 }
 
-/// Makes texels transparent, but for `opaque` of 8.
+/// Makes all but `opaque` of every 8 texels transparent.
 void mask_texels(std::uint32_t opaque, RenderPart& part) {
   auto texture = std::make_shared<SurfaceTexture>(*part.texture);
   for (std::size_t i = 0; i < texture->texels.size(); ++i) {

@@ -25,8 +25,7 @@ struct JobHead {
   std::uint32_t two_sided = 0;   ///< backs are drawn
 };
 
-/// True if a texel of a texture with `opaque` ones of 8, 1...8, is one of them. `i` counts those of all
-/// levels.
+/// True for `opaque` (1...8) of every 8 texels. `i` is the number of the texel among those of all levels.
 constexpr bool is_opaque_texel(std::size_t i, std::uint32_t opaque) { return ((i ^ i >> 3) & 7) < opaque; }
 
 /// The bytes of an array, so that the next one is aligned.

@@ -33,6 +33,14 @@ double figure(const nlohmann::json& forecast, const char* method, const char* co
   return forecast.at("instructions").at(method).at(core).get<double>();
 }
 
+/// A square of two triangles, and a third that is the first one seen from behind.
+arcspan::tools::FixedMesh two_fronts_and_a_back() {
+  arcspan::tools::FixedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
+  mesh.indices = {0, 1, 2, 0, 2, 3, 0, 2, 1};
+  return mesh;
+}
+
 }  // namespace
 
 TEST_CASE("a forecast has figures of every method on every core") {
@@ -92,9 +100,7 @@ TEST_CASE("weights of a vertex cost what drawing meshes of such vertices alone t
 
 TEST_CASE("flat shading poses the faces that it shades once more, not small ones without a pixel") {
   using namespace arcspan::tools;
-  FixedMesh mesh;
-  mesh.positions = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
-  mesh.indices = {0, 1, 2, 0, 2, 3, 0, 2, 1};  // two fronts and a back
+  const FixedMesh mesh = two_fronts_and_a_back();
   FixedPartMotion motion;
   motion.weights = {{1}, {2}, {2}, {2}};
   FixedAnimation animation;
@@ -119,9 +125,7 @@ TEST_CASE("flat shading poses the faces that it shades once more, not small ones
 
 TEST_CASE("morph targets are posed, too") {
   using namespace arcspan::tools;
-  FixedMesh mesh;
-  mesh.positions = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
-  mesh.indices = {0, 1, 2, 0, 2, 3, 0, 2, 1};  // two fronts and a back
+  const FixedMesh mesh = two_fronts_and_a_back();
   FixedPartMotion motion;
   motion.morph.emplace();
   motion.morph->records = {{}, {{}}, {{}, {}, {}}, {{}}};  // of 0, 1, 3 and 1 targets

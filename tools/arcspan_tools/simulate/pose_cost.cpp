@@ -66,8 +66,7 @@ PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 
   if (shading != "flat") {
     if (lit > 0 && shaded > lit) {
       for (double& some : amounts.normals) some *= shaded / lit;
-      amounts.morphed_normals.vertices *= shaded / lit;
-      amounts.morphed_normals.targets *= shaded / lit;
+      amounts.morphed_normals = shaded / lit * amounts.morphed_normals;
     }
     return amounts;
   }
@@ -75,8 +74,7 @@ PoseAmounts pose_amounts(const FixedModel& model, const FixedModel& posed, Vec3 
   amounts.morphed_normals = {};
   const double share = fronts > 0 ? shaded / fronts : 0;
   for (std::size_t kind = 0; kind < corners.size(); ++kind) amounts.positions[kind] += share * corners[kind];
-  amounts.morphed_positions.vertices += share * morphed_corners.vertices;
-  amounts.morphed_positions.targets += share * morphed_corners.targets;
+  amounts.morphed_positions += share * morphed_corners;
   return amounts;
 }
 

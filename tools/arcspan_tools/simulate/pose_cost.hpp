@@ -17,9 +17,15 @@ struct PoseAmounts {
     double vertices = 0;
     double targets = 0;
 
-    void add(std::size_t of_vertex) {
-      ++vertices;
-      targets += static_cast<double>(of_vertex);
+    /// Adds a vertex.
+    void add(std::size_t its_targets) { *this += {1, static_cast<double>(its_targets)}; }
+    Morphs& operator+=(const Morphs& more) {
+      vertices += more.vertices;
+      targets += more.targets;
+      return *this;
+    }
+    friend Morphs operator*(double share, const Morphs& all) {
+      return {share * all.vertices, share * all.targets};
     }
   };
 
@@ -28,7 +34,7 @@ struct PoseAmounts {
   std::array<double, 4> positions{};  ///< of vertices with 1, 2, 3 and 4 weights
   std::array<double, 4> normals{};
   Morphs morphed_positions{};
-  Morphs morphed_normals{};  ///< that are moved
+  Morphs morphed_normals{};  ///< only of vertices that a target moves
 };
 
 /// The amounts for a picture of `posed`, which is `model` in a pose, from `eye`, by a method: positions of

@@ -68,7 +68,8 @@ using Phong = Illumination<1, Highlight::kPhong>;
 template <class Method>
 using WithTexels = Textured<Method, SurfaceTexels>;
 
-/// What a method reads of the textures of a model, which have one format.
+/// The texels that a method draws. All textures of a model have the same: with a bit of alpha (kMasked) if
+/// any texel is transparent.
 enum class Texels { kNone, kOpaque, kMasked };
 
 /// A method with weights.
@@ -95,7 +96,7 @@ constexpr std::array<CountedMethod, 12> kCountedMethods = {{
     {"masked arc", "arc", Texels::kMasked, Highlight::kBlinn, count_part<WithTexels<Arc<Blinn>>, Blinn>},
 }};
 
-/// True if any texel is transparent: then all textures are compiled with a bit of alpha.
+/// True if any texel is transparent.
 bool has_masks(const RenderJob& job) {
   const auto is_transparent = [](std::uint32_t texel) {
     return SurfaceTexels::ColourFormat::alpha(texel) == 0;

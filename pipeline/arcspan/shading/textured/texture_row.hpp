@@ -238,7 +238,7 @@ class PerspectiveTexture {
   }
   /// Chooses the mip level of a piece of steps + 1 pixels that ends at the current 1/w. `du` and `dv` are
   /// relative, because the words of a step lose whole repetitions.
-  ARCSPAN_INLINE constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
+  constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
     TextureTriangle& t = *triangle_;
     const std::int32_t least = t.least_q >> 1;
     const std::int32_t middle = wrap_sub(q_, wrap_mul(t.q.dx.raw(), (steps + 1) >> 1));

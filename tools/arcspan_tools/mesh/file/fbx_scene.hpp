@@ -5,7 +5,8 @@
 
 #include <map>
 
-// What the loader library, Assimp, leaves to its caller in scenes of FBX, or gets wrong (version 5.2).
+// Scenes of FBX files are loaded by the library Assimp. Here is what it leaves to its caller, and what its
+// version 5.2 gets wrong.
 
 namespace arcspan::tools {
 

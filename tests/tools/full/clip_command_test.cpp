@@ -61,7 +61,7 @@ TEST_CASE("render draws a pose of a clip, and a sheet of all clips") {
   CHECK(run(draw + " --pose bend").err == "arcspan: --pose: expected CLIP@SECONDS or rest, not 'bend'\n");
 }
 
-TEST_CASE("--pose takes the end of a clip as the list of clips prints it") {
+TEST_CASE("a clip ends, for --pose too, where the list of clips says") {
   const TemporaryFolder folder;
   const std::string picture = " --size 40x30 -o " + (folder / "a.png");
   REQUIRE(run("render " + bending(folder, 1, 40) + picture + " --pose bend@1").status == 0);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -79,6 +80,34 @@ MappedTriangle<Method> random_triangle(Random& random, std::int32_t size, double
     }
   }
   return triangle;
+}
+
+/// Maps a texture on the plane of a triangle, turned by a random angle, so that texels have the same size
+/// everywhere, as most models have them. The vertices are up to `range` repetitions from the first one.
+template <class Method>
+void map_plane(Random& random, double range, MappedTriangle<Method>& triangle) {
+  using Complex = std::complex<double>;
+  // In space, before a camera of 240 pixels focal length: w, and x and y as one number.
+  std::array<double, 3> w{};
+  std::array<Complex, 3> xy{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const RasterVertex<Method>& vertex = triangle.vertices[i];
+    w[i] = 1e6 / vertex.near_over_w.value;
+    xy[i] = Complex(vertex.position.x, vertex.position.y) * (w[i] / (16 * 240));
+  }
+  // In the plane: the first side, and the second one relative to its direction.
+  const auto product = [&](std::size_t i, std::size_t j) {
+    return std::real(std::conj(xy[i] - xy[0]) * (xy[j] - xy[0])) + (w[i] - w[0]) * (w[j] - w[0]);
+  };
+  const double side = std::sqrt(product(1, 1));
+  const double along = product(1, 2) / side;
+  std::array<Complex, 3> at{0, side, {along, std::sqrt(std::max(0.0, product(2, 2) - along * along))}};
+  const Complex turn = std::polar(range / std::max(std::abs(at[1]), std::abs(at[2])), random.real(0, 7));
+  for (std::size_t i = 0; i < 3; ++i) {
+    at[i] *= turn * 65536.0;
+    triangle.vertices[i].shade.point = {static_cast<std::int32_t>(at[i].real()),
+                                        static_cast<std::int32_t>(at[i].imag())};
+  }
 }
 
 /// Calls `visit(column, row, pixel)` for every pixel of a small triangle. Does nothing if the method does not

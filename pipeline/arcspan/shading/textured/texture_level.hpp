@@ -57,22 +57,23 @@ struct TextureLevel {
 
 namespace detail {
 
-/// Returns a mip level. `log_area` is the binary logarithm of the texels of level 0 that a pixel covers,
-/// `log_step` that of the texels from a pixel to the next one in its row; both have 8 fraction bits. Across
-/// the row a pixel covers area / step texels. The level is the logarithm of the longer side, rounded and
-/// limited to the levels that there are: by the shorter one a floor would show moire towards the horizon.
-[[nodiscard]] constexpr unsigned mip_level(const TextureSize& size, std::int32_t log_area,
-                                           std::int32_t log_step) {
-  const std::int32_t across = log_area - log_step;
-  const std::int32_t level = ((log_step > across ? log_step : across) + 128) >> 8;
+/// The mip level whose texels are nearest to a side of a pixel in size, of the levels that there are.
+/// `log_side` is the binary logarithm of its texels of level 0, 8 fraction bits.
+[[nodiscard]] ARCSPAN_INLINE constexpr unsigned level_of_side(const TextureSize& size,
+                                                              std::int32_t log_side) {
+  const std::int32_t level = (log_side + 128) >> 8;
   if (level <= 0) return 0;
   return level < size.levels ? static_cast<unsigned>(level) : size.levels - 1u;
 }
 
-/// The `log_area` of mip_level() of a pixel where the raw value of 1/w is q. The area falls with the cube of
-/// q; `log_area` is its logarithm for a raw value of 1.
-[[nodiscard]] constexpr std::int32_t area_at(std::int32_t log_area, std::int32_t q) {
-  return log_area - 3 * low_log2(static_cast<std::uint32_t>(q));
+/// Returns a mip level. `log_area` is the binary logarithm of the texels of level 0 that a pixel covers,
+/// `log_step` that of the texels from a pixel to the next one in its row; both have 8 fraction bits. Across
+/// the row a pixel covers area / step texels. The level is that of the longer side: by the shorter one a
+/// floor would show moire towards the horizon.
+[[nodiscard]] constexpr unsigned mip_level(const TextureSize& size, std::int32_t log_area,
+                                           std::int32_t log_step) {
+  const std::int32_t across = log_area - log_step;
+  return level_of_side(size, log_step > across ? log_step : across);
 }
 
 /// mip_level() where the step is not known: the least that it may be.
@@ -85,10 +86,20 @@ namespace detail {
   return static_cast<std::uint32_t>(d ^ (d >> 31));
 }
 
-/// log2 of the texels of level 0 that u and v change by per pixel, the larger of both. All have 8 fraction
-/// bits.
+/// log2(sqrt(a^2 + b^2)) of log2(a) and log2(b), 8 fraction bits; too low by at most 1/16.
+[[nodiscard]] constexpr std::int32_t log_of_hypotenuse(std::int32_t log_a, std::int32_t log_b) {
+  const std::int32_t longer = log_a > log_b ? log_a : log_b;
+  const std::int32_t to_512 = 512 - (2 * longer - log_a - log_b);
+  return longer + (to_512 > 0 ? (to_512 * to_512) >> 11 : 0);
+}
+
+/// log2 of the length in texels of level 0 of a step by u and v, each of which is below 2^31. All have 8
+/// fraction bits.
 [[nodiscard]] constexpr std::int32_t log_step(std::uint32_t u, std::uint32_t v) {
-  return low_log2(u > v ? u : v) - 8 * 256;
+  const std::uint32_t mean = (u + v) >> 1;
+  const std::uint32_t diagonal = mean + (mean >> 1);  // at most 1/16 off where it is the longest of the three
+  const std::uint32_t longer = u > v ? u : v;
+  return low_log2(longer > diagonal ? longer : diagonal) - 8 * 256;
 }
 
 /// log2 of the mean of the texels of level 0 that the pixels of a triangle cover, 8 fraction bits.

@@ -157,25 +157,25 @@ class PerspectiveTexture {
   ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) { return enter_outlined(left); }
 
  private:
-  static constexpr std::int32_t kUnknown = INT32_MIN;
-
-  /// Relative u and v, 28 fraction bits.
-  struct Relative {
-    std::int32_t u;
+  /// An end of a piece.
+  struct End {
+    std::int32_t u;  ///< relative, 28 fraction bits
     std::int32_t v;
+    std::int32_t log_q;  ///< low_log2() of the raw value of 1/w
   };
 
   [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t grid_word(std::int32_t relative, int shift) {
     return static_cast<std::uint32_t>(detail::to_word<Steps>(relative, shift));
   }
-  /// u and v at the current pixel, by division.
-  [[nodiscard]] ARCSPAN_INLINE constexpr Relative divided() const {
+  /// The current pixel as an end, by division.
+  [[nodiscard]] ARCSPAN_INLINE constexpr End divided() const {
     // Rounding may lower 1/w below the least of the vertices, by far less than half of it.
     const std::int32_t least = triangle_->least_q >> 1;
     const auto q = static_cast<std::uint32_t>(q_ < least ? least : q_);
     const int zeros = leading_zeros(q | 1u);
     const auto inverse = static_cast<std::int32_t>(detail::reciprocal_mantissa(q << zeros) << 14);
-    return {multiply_high(wrap_shl(u_, zeros - 1), inverse), multiply_high(wrap_shl(v_, zeros - 1), inverse)};
+    return {multiply_high(wrap_shl(u_, zeros - 1), inverse), multiply_high(wrap_shl(v_, zeros - 1), inverse),
+            detail::low_log2(q)};
   }
   /// Returns the length of the next piece. It doubles as long as 1/w is large enough for that: the error in
   /// texels falls with the cube of 1/w, that in pixels with 1/w.
@@ -199,9 +199,8 @@ class PerspectiveTexture {
     const std::int32_t length = length_of_piece(left);
     // The last piece ends at its last pixel, because 1/w may vanish beyond the triangle.
     const bool last = length >= left;
-    std::int32_t steps = last ? left - 1 : length;
-    if (left == 1) steps = triangle_->lone_step;
-    Relative end = at_;
+    const std::int32_t steps = last ? left - 1 : length;
+    End end = at_;
     std::int32_t du = 0;
     std::int32_t dv = 0;
     if (steps != 0) {
@@ -216,7 +215,7 @@ class PerspectiveTexture {
       du = step(at_.u, end.u);
       dv = step(at_.v, end.v);
     }
-    if (triangle_->size.levels != 1) choose_level(steps, du, dv);
+    if (triangle_->size.levels != 1) choose_level((at_.log_q + end.log_q) >> 1);
     std::uint32_t u = triangle_->u_origin + grid_word(at_.u, triangle_->u_shift);
     std::uint32_t v = triangle_->v_origin + grid_word(at_.v, triangle_->v_shift);
     if constexpr (Filter == TextureFilter::kBilinear) {
@@ -229,42 +228,24 @@ class PerspectiveTexture {
     at_ = end;
     return last ? left : length;
   }
-  /// A relative change in texels, of which a repetition has 2^bits; 8 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t texels(std::int32_t change, std::uint8_t word_shift, int bits) const {
-    const int spare = Steps::kHasBorders ? triangle_->spare_bits : 0;
-    const int left = static_cast<std::int8_t>(word_shift) + spare + bits - 24;
-    const std::uint32_t size = detail::low_magnitude(change);
-    return left < 0 ? size >> -left : size << left;
-  }
-  /// Chooses the mip level of a piece of steps + 1 pixels that ends at the current 1/w. `du` and `dv` are
-  /// relative, because the words of a step lose whole repetitions.
-  constexpr void choose_level(std::int32_t steps, std::int32_t du, std::int32_t dv) {
+  /// Chooses the mip level of a piece in whose middle the logarithm of 1/w is `log_q`.
+  ARCSPAN_INLINE constexpr void choose_level(std::int32_t log_q) {
     TextureTriangle& t = *triangle_;
-    const std::int32_t least = t.least_q >> 1;
-    const std::int32_t middle = wrap_sub(q_, wrap_mul(t.q.dx.raw(), (steps + 1) >> 1));
-    const std::int32_t log_q = detail::low_log2(static_cast<std::uint32_t>(middle < least ? least : middle));
-    const std::int32_t log_area = t.log_area - 3 * log_q;
-    // A step is K / q^2, with the same K in the whole row.
-    if (log_step_ == kUnknown && steps != 0) {
-      log_step_ = detail::log_step(texels(du, t.u_shift, t.size.width_bits),
-                                   texels(dv, t.v_shift, t.size.height_bits)) +
-                  2 * log_q;
-    }
-    const unsigned chosen = log_step_ == kUnknown
-                                ? detail::least_mip_level(t.size, log_area)
-                                : detail::mip_level(t.size, log_area, log_step_ - 2 * log_q);
-    if (chosen == t.number) return;
-    t.set(t.size, chosen);
-    steps_.set_size(t);
+    const unsigned chosen = detail::level_of_side(t.size, t.sides.log_longer(log_q));
+    if (chosen != t.number) [[unlikely]]
+      set_level(chosen);
+  }
+  ARCSPAN_OUTLINE constexpr void set_level(unsigned number) {
+    triangle_->set(triangle_->size, number);
+    steps_.set_size(*triangle_);
   }
 
-  std::int32_t log_step_ = kUnknown;  ///< of level 0 where 1/w is 1, 8 fraction bits
   Steps steps_;
   TextureTriangle* triangle_;
   std::int32_t u_;  ///< u, or u/w, at the end of the current piece, as Linear
   std::int32_t v_;
   std::int32_t q_;
-  Relative at_;  ///< at the end of the current piece
+  End at_;  ///< of the current piece
 };
 
 }  // namespace arcspan

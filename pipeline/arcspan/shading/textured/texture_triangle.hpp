@@ -25,6 +25,21 @@ struct TextureWords {
   std::uint32_t v;
 };
 
+/// The sides of the rectangle of the texture that a pixel covers, where the raw value of 1/w is q: along a
+/// line of equal depth 1/q of what it is for a q of 1, across such lines 1/q^2. Towards the horizon a pixel
+/// covers much of a floor's length and little of its width. All are binary logarithms with 8 fraction bits.
+struct PerspectiveSides {
+  std::int32_t log_along;  ///< texels of level 0, for a q of 1
+  std::int32_t log_across;
+
+  /// The longer side.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t log_longer(std::int32_t log_q) const {
+    const std::int32_t along = log_along - log_q;
+    const std::int32_t across = log_across - 2 * log_q;
+    return along > across ? along : across;
+  }
+};
+
 /// How a texture lies on a triangle: the part of the command that the texture adds.
 ///
 /// In the plane of the screen u and v are linear only where all vertices are equally far away. Otherwise u/w,
@@ -47,12 +62,10 @@ struct TextureTriangle : TextureLevel {
   std::uint8_t u_shift;    ///< from a relative u with 28 fraction bits to the fraction of a repetition
   std::uint8_t v_shift;    ///< the same for v
   std::uint8_t piece;      ///< pixels of a piece where 1/w is piece_q; 0 if u and v are linear themselves
-  /// The steps by which a row of one pixel finds its mip level: 1, past the triangle's edge; 0 without mip
-  /// levels, and in slivers (SlopeUnit), whose slopes are not per pixel.
-  std::uint8_t lone_step;
   bool middle_left;
   TextureSize size;
-  std::int32_t log_area;  ///< in perspective what area_at() takes, otherwise log_area_of(); with levels only
+  std::int32_t log_area;     ///< log_area_of(), with mip levels only
+  PerspectiveSides sides;    ///< with mip levels in perspective only
   std::uint32_t half_texel;  ///< half_texel_of()
 
   /// Half a texel of the level, with TextureFilter::kBilinear; otherwise 0.
@@ -219,6 +232,57 @@ template <class Steps, class Levels, class Frame>
   return true;
 }
 
+/// The changes of a quantity from a triangle's top to its middle and to its bottom, which are these times
+/// 2^shift. They have 14 bits and a sign.
+struct CornerChanges {
+  std::int32_t to_middle;
+  std::int32_t to_bottom;
+  int shift;
+
+  /// They differ by less than 2^31.
+  constexpr CornerChanges(std::int32_t top, std::int32_t middle, std::int32_t bottom) {
+    const std::int32_t m = wrap_sub(middle, top);
+    const std::int32_t b = wrap_sub(bottom, top);
+    shift = 18 - leading_zeros(low_magnitude(m) | low_magnitude(b) | 0x3FFFu);
+    to_middle = m >> shift;
+    to_bottom = b >> shift;
+  }
+  [[nodiscard]] constexpr bool are_zero() const { return (to_middle | to_bottom) == 0; }
+  /// log2 of the area that the triangle has if this is x and `other`, with a shift of 0, is y; 8 fraction
+  /// bits.
+  [[nodiscard]] constexpr std::int32_t log_area(const CornerChanges& other) const {
+    return low_log2(magnitude(to_middle * other.to_bottom - to_bottom * other.to_middle)) + 256 * shift;
+  }
+};
+
+/// Returns the sides of the pixels of a triangle in perspective. `q` is 1/w at its corners, `u` and `v` are
+/// the relative u/w and v/w; `u_bits` and `v_bits` are the binary logarithms of the texels that a u or v of 1
+/// has. `log_area` is log_area_of().
+///
+/// With the gradients U of u/w and Q of 1/w, a pixel along the line of equal depth changes u/w by
+/// |U x Q| / |Q|, and u by that over q. In both products the area of the triangle is a factor. The area of a
+/// pixel is C / q^3, the mean over the triangle C / (q0 q1 q2).
+template <class Frame>
+[[nodiscard]] constexpr PerspectiveSides perspective_sides(const Frame& frame, const std::int32_t (&q)[3],
+                                                           const std::int32_t (&u)[3],
+                                                           const std::int32_t (&v)[3], int u_bits, int v_bits,
+                                                           std::int32_t log_area) {
+  const RasterPosition& a = frame.top->position;
+  const RasterPosition& b = frame.middle->position;
+  const RasterPosition& c = frame.bottom->position;
+  const CornerChanges x(a.x, b.x, c.x);
+  const CornerChanges y(a.y, b.y, c.y);
+  CornerChanges depth(q[0], q[1], q[2]);
+  if (depth.are_zero()) depth = y;  // each line is of equal depth; take the rows
+  const std::int32_t slope = log_of_hypotenuse(x.log_area(depth), y.log_area(depth));
+  const std::int32_t along =
+      log_of_hypotenuse(CornerChanges(u[0], u[1], u[2]).log_area(depth) + 256 * u_bits,
+                        CornerChanges(v[0], v[1], v[2]).log_area(depth) + 256 * v_bits) -
+      slope + 256 * Subpixel::kFraction;
+  for (const std::int32_t corner : q) log_area += low_log2(static_cast<std::uint32_t>(corner));
+  return {along, log_area - along};
+}
+
 /// Prepares a triangle whose u and v are not linear.
 template <class Steps, class Frame>
 constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& corners,
@@ -239,21 +303,23 @@ constexpr void prepare_in_perspective(const Frame& frame, const TextureCorners& 
     f_v[i] = wrap_shl(wrap_sub(corners.at[i].v, least.v), 12 + shifts.v);
   }
   const PrecisePlanes planes(frame);
-  const auto over_w = [&](const std::int32_t(&f)[3], LinearPlane& plane) {
-    const auto part = [&](int i) { return multiply_high(wrap_shl(f[i], 3), wrap_shl(q[i], 1)); };
-    planes.make(part(0), part(1), part(2), plane);
-  };
+  std::int32_t u_over_w[3];
+  std::int32_t v_over_w[3];
+  for (int i = 0; i < 3; ++i) {
+    u_over_w[i] = multiply_high(wrap_shl(f_u[i], 3), wrap_shl(q[i], 1));
+    v_over_w[i] = multiply_high(wrap_shl(f_v[i], 3), wrap_shl(q[i], 1));
+  }
   planes.make(q[0], q[1], q[2], t.q);
-  over_w(f_u, t.u);
-  over_w(f_v, t.v);
+  planes.make(u_over_w[0], u_over_w[1], u_over_w[2], t.u);
+  planes.make(v_over_w[0], v_over_w[1], v_over_w[2], t.v);
   const Extent q_extent(q[0], q[1], q[2]);
   t.least_q = q_extent.least;
-  t.lone_step = t.size.levels != 1 && frame.width >= 0x10000u ? 1 : 0;
   if (t.size.levels != 1) {
-    // Areas of a plane in perspective: that of a triangle is D / (q0 q1 q2), of a pixel D / q^3.
-    for (const std::int32_t corner : q) t.log_area += low_log2(static_cast<std::uint32_t>(corner));
-    // The level with the finest texels, which limits the pieces.
-    t.set(t.size, least_mip_level(t.size, area_at(t.log_area, q_extent.most) - 3 * kLogError));
+    t.sides = perspective_sides(frame, q, u_over_w, v_over_w, t.size.width_bits - shifts.u,
+                                t.size.height_bits - shifts.v, t.log_area);
+    // The level with the finest texels, which limits the pieces. Rounding may raise 1/w a little.
+    const std::int32_t log_most = low_log2(static_cast<std::uint32_t>(q_extent.most)) + 1;
+    t.set(t.size, level_of_side(t.size, t.sides.log_longer(log_most)));
   }
   PerspectiveSlope slope_u{t.u.dx.raw(), t.q.dx.raw()};
   PerspectiveSlope slope_v{t.v.dx.raw(), t.q.dx.raw()};

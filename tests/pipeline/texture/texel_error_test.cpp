@@ -107,6 +107,7 @@ TEST_CASE("with mip levels, every piece of a row shows the level of its pixels, 
   int pixels = 0;
   int wrong = 0;
   int changes = 0;  // of the level within a row
+  int beyond = 0;   // the end of the level
   double worst = 0;
   for (int i = 0; i < test::share_of(300); ++i) {
     MappedTriangle<Plain> triangle = random_triangle<Plain>(random, 240, 8, 0);
@@ -120,13 +121,40 @@ TEST_CASE("with mip levels, every piece of a row shows the level of its pixels, 
       ++pixels;
       wrong += std::abs(level - level_wanted(triangle, x, y, size)) > 0.75 ? 1 : 0;
       changes += last.first == y && last.second != level ? 1 : 0;
+      beyond += run.steps().index() >> (2 * (kBits - level)) != 0 ? 1 : 0;
       last = {y, level};
     });
   }
-  CAPTURE(pixels, wrong, changes, worst);
+  CAPTURE(pixels, wrong, changes, beyond, worst);
   CHECK(changes > pixels / 1000);
+  CHECK(beyond == 0);
   CHECK(wrong < pixels / 200);
   CHECK(worst <= 0.5);
+}
+
+TEST_CASE("the mip level of a floor follows its length, or its width where the texture is denser along it") {
+  constexpr unsigned kBits = 9;
+  const Plain::Lighting lighting = lighting_of<Plain>(kBits, kBits, kBits + 1);
+  const TextureSize& size = lighting.texture.size();
+  for (const std::int32_t repetitions : {1, 30}) {
+    MappedTriangle<Plain> floor;
+    floor.vertices[0].position = {-1600, 1600, 1000};
+    floor.vertices[1].position = {0, -1600, 1000};
+    floor.vertices[2].position = {1600, 1600, 1000};
+    floor.vertices[1].shade.point = {repetitions * 32768, 65536};
+    floor.vertices[2].shade.point = {repetitions * 65536, 0};
+    for (RasterVertex<Plain>& vertex : floor.vertices) vertex.near_over_w.value = 8'000'000;
+    floor.vertices[1].near_over_w.value = 2'000'000;
+    int pixels = 0;
+    int wrong = 0;
+    for_each_pixel(floor, lighting, 240, [&](std::int32_t x, std::int32_t y, const auto& run) {
+      ++pixels;
+      wrong += std::abs(level_of(run, lighting.texture) - level_wanted(floor, x, y, size)) > 0.75 ? 1 : 0;
+    });
+    CAPTURE(repetitions, pixels, wrong);
+    CHECK(pixels > 10000);
+    CHECK(wrong == 0);
+  }
 }
 
 TEST_CASE("no pixel shows a point of the texture more than half a texel away") {

@@ -296,8 +296,8 @@ void add_forecast(CLI::App& mesh, MeshArguments& arguments) {
       "WxH with each 1...2048",
       [](const std::string& text) {
         const std::optional<Size> size = parse_size(text);
-        return size && size->width <= kMostPictureSide && size->height <= kMostPictureSide ? size
-                                                                                           : std::nullopt;
+        return size && size->width <= kMostRenderedSide && size->height <= kMostRenderedSide ? size
+                                                                                             : std::nullopt;
       },
       [&arguments](Size size) { arguments.forecast_size = size; });
   add_number(mesh, "--cpu-mhz", "million instructions a second of the forecast's processors", 0.1, 10000,
@@ -324,7 +324,7 @@ void add_mesh_command(CLI::App& app) {
   add_clip_tolerance(*mesh, arguments->clips);
   add_integer(*mesh, "--error-pixels", "N",
               "largest extent of the model in the picture for which the error of clips is told (default 240)",
-              1, kMostPictureSide, arguments->error_pixels);
+              1, kMostRenderedSide, arguments->error_pixels);
   add_limits(*mesh, arguments->limits);
   mesh->add_option("--name", arguments->name,
                    "the header's namespace, or the model for C (default: from the file's name)")

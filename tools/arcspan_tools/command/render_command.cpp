@@ -68,10 +68,10 @@ Size drawn_size(const RenderArguments& arguments) {
   const Size& size = arguments.options.scene.size;
   const std::int32_t n = arguments.samples;
   const Size drawn{n * size.width, n * size.height};
-  if (drawn.width <= kMostPictureSide && drawn.height <= kMostPictureSide) return drawn;
+  if (drawn.width <= kMostRenderedSide && drawn.height <= kMostRenderedSide) return drawn;
   throw CLI::ValidationError(
       "--samples", formatted("%d times %dx%d is more than %dx%d, which is the largest picture", n, size.width,
-                             size.height, kMostPictureSide, kMostPictureSide));
+                             size.height, kMostRenderedSide, kMostRenderedSide));
 }
 
 /// The width of ink that has its own width in the picture that was asked for.

@@ -78,14 +78,14 @@ void add_picture_options(CLI::App& app, RenderOptions& o) {
       app, "--size", "WxH", "picture size, each 1...2048 (default 320x240)", "WxH with each 1...2048",
       [](const std::string& text) {
         const std::optional<Size> size = parse_size(text);
-        return size && size->width <= kMostPictureSide && size->height <= kMostPictureSide ? size
-                                                                                           : std::nullopt;
+        return size && size->width <= kMostRenderedSide && size->height <= kMostRenderedSide ? size
+                                                                                             : std::nullopt;
       },
       [&o](Size size) { o.scene.size = size; });
   add_choice(app, "--format", "pixel format", format_names(), o.format);
   app.add_flag("--dither,!--no-dither", o.dither,
                "ordered dither where the format has fewer than 8 bits per channel (default)");
-  add_integer(app, "--band", "ROWS", "draw and store the picture ROWS at a time", 1, kMostPictureSide,
+  add_integer(app, "--band", "ROWS", "draw and store the picture ROWS at a time", 1, kMostRenderedSide,
               o.scene.band_rows);
   app.add_flag("--depth,!--no-depth", o.scene.depth, "16-bit depth buffer (default), or painter's order");
   add_parsed<Vec3>(app, "--background", "R,G,B", "each 0...1", "R,G,B with each 0...1", parse_colour,

@@ -12,7 +12,7 @@
 namespace arcspan::tools {
 
 /// Pixels of a picture's width or height: the pipeline's guard band.
-inline constexpr std::int32_t kMostPictureSide = 2 * kGuardBand;
+inline constexpr std::int32_t kMostRenderedSide = 2 * kGuardBand;
 
 /// The options that say what a picture shows and how; shared by the subcommands that render.
 struct RenderOptions {

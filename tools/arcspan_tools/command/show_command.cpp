@@ -53,7 +53,7 @@ void fit(ShowArguments& arguments, const Display& display) {
   const Size whole = display.size();
   Size& size = arguments.options.scene.size;
   if (!arguments.own_size)
-    size = {std::min(whole.width, kMostPictureSide), std::min(whole.height, kMostPictureSide)};
+    size = {std::min(whole.width, kMostRenderedSide), std::min(whole.height, kMostRenderedSide)};
   if (size.width > whole.width || size.height > whole.height) {
     throw Failure("--size", size_text(size) + " does not fit on the display's " + size_text(whole));
   }

@@ -44,14 +44,14 @@ bool is_integer_macro(std::string_view text) {
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
 bool is_identifier(std::string_view text) {
   if (text.empty() || !is_letter(text[0])) return false;
   for (const char c : text) {
-    if (!is_letter(c) && !is_digit(c) && c != '_') return false;
+    if (!is_letter(c) && !is_decimal(c) && c != '_') return false;
   }
   // Two underscores in a row are the compiler's.
   return text.find("__") == std::string_view::npos &&
@@ -62,7 +62,7 @@ bool is_identifier(std::string_view text) {
 std::string identifier(std::string_view text) {
   std::string name;
   for (const char c : text) {
-    if (is_letter(c) || is_digit(c)) {
+    if (is_letter(c) || is_decimal(c)) {
       name += c;
     } else if (!name.empty() && name.back() != '_') {
       name += '_';

@@ -27,7 +27,7 @@ struct Row {
   const char* method;
   bool in_bands;
 };
-constexpr Row kRows[] = {{"flat", false}, {"gouraud", false}, {"arc", false}, {"arc", true}};
+constexpr Row kForecastRows[] = {{"flat", false}, {"gouraud", false}, {"arc", false}, {"arc", true}};
 
 bool has_textures(const FixedModel& model) {
   return std::any_of(model.looks.begin(), model.looks.end(),
@@ -159,18 +159,18 @@ Forecast forecast(const FixedModel& model, std::size_t model_bytes, Size size, d
   set_memory(model, made);
   const std::vector<ForecastPicture> pictures =
       forecast_pictures(poser_of(model, subject), clips_of(model), size);
-  Progress progress("forecasting", kPictures * std::size(kRows));
+  Progress progress("forecasting", kPictures * std::size(kForecastRows));
   std::size_t done = 0;
-  for (const Row& row : kRows) {
+  for (const Row& row : kForecastRows) {
     made.methods.push_back({name_of(row, made.textured), {}, {}});
     made.methods.back().instructions.fill(0);
     made.methods.back().posing.fill(0);
   }
   for (const ForecastPicture& picture : pictures) {
     RenderJob job = make_job(picture.scene, picture.pose, subject);
-    for (std::size_t i = 0; i < std::size(kRows); ++i) {
-      job.band_rows = kRows[i].in_bands ? Forecast::kBandRows : size.height;
-      add_picture(kRows[i].method, model, picture, job, layout, made.methods[i]);
+    for (std::size_t i = 0; i < std::size(kForecastRows); ++i) {
+      job.band_rows = kForecastRows[i].in_bands ? Forecast::kBandRows : size.height;
+      add_picture(kForecastRows[i].method, model, picture, job, layout, made.methods[i]);
       progress.show(++done);
     }
   }

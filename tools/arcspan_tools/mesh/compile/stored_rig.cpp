@@ -225,8 +225,8 @@ bool has_room(const Box& box, const Box& needed) {
 }
 
 Box with_margin(const Box& box) {
-  constexpr double kMargin = 0.02;  // of the extent, on each side
-  const Vec3 margin = (box.high - box.low) * kMargin;
+  constexpr double kBeside = 0.02;  // of the extent, on each side
+  const Vec3 margin = (box.high - box.low) * kBeside;
   return {box.low - margin, box.high + margin};
 }
 

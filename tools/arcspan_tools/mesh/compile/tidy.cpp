@@ -11,7 +11,7 @@ namespace arcspan::tools {
 namespace {
 
 /// Position, normal, texture point, colour, and what moves it.
-using Vertex = std::pair<std::array<std::int16_t, 10>, std::uint32_t>;
+using StoredVertex = std::pair<std::array<std::int16_t, 10>, std::uint32_t>;
 
 bool has_area(const ObjectPosition& a, const ObjectPosition& b, const ObjectPosition& c) {
   const std::int64_t ux = b.x - a.x;
@@ -52,7 +52,7 @@ std::vector<unsigned> wide_indices(const FixedMesh& mesh) {
 
 FixedMesh compacted(const FixedMesh& mesh, const Rig* rig) {
   FixedMesh out = without_arrays(mesh);
-  std::map<Vertex, std::uint16_t> known;
+  std::map<StoredVertex, std::uint16_t> known;
   const auto vertex = [&](std::size_t i) {
     const ObjectPosition& p = mesh.positions[i];
     const PackedNormal& n = mesh.normals[i];
@@ -63,7 +63,7 @@ FixedMesh compacted(const FixedMesh& mesh, const Rig* rig) {
     const Rgb8 c = coloured ? mesh.colours[i] : Rgb8{};
     const std::uint32_t source = mesh.sources.empty() ? kNoSource : mesh.sources[i];
     const auto [at, is_new] =
-        known.try_emplace(Vertex{{p.x, p.y, p.z, n.u, n.v, t.u, t.v, c.r, c.g, c.b}, source}, next);
+        known.try_emplace(StoredVertex{{p.x, p.y, p.z, n.u, n.v, t.u, t.v, c.r, c.g, c.b}, source}, next);
     if (is_new) {
       out.positions.push_back(p);
       out.normals.push_back(n);

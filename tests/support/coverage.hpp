@@ -13,6 +13,13 @@ struct Point {
 
 /// Exact coverage of pixel centres by the top-left rule, from the edge equations in 64-bit integers.
 class CoverageReference {
+  /// The interior is where the edge function is positive.
+  struct Edge {
+    std::int64_t side = -1;        ///< the edge function at a pixel's centre
+    std::int64_t step = 0;         ///< what it changes by to the next column
+    bool has_its_centres = false;  ///< of pixels, where the function is 0
+  };
+
  public:
   CoverageReference(Point a, Point b, Point c) : corner_{a, b, c} {
     area_ = edge(a, b, c);
@@ -22,24 +29,42 @@ class CoverageReference {
     }
   }
 
-  /// Is the centre of pixel (column, row) covered? Pixel (0, 0) has its centre at (8, 8) sixteenths.
-  [[nodiscard]] bool operator()(std::int64_t column, std::int64_t row) const {
-    if (area_ == 0) return false;
-    const Point centre{16 * column + 8, 16 * row + 8};
-    return inside(corner_[0], corner_[1], centre) && inside(corner_[1], corner_[2], centre) &&
-           inside(corner_[2], corner_[0], centre);
+  /// The pixels of a row, one after another.
+  class Row {
+   public:
+    /// Is the centre of this pixel covered? Goes on to the next one.
+    [[nodiscard]] bool next() {
+      bool is_covered = true;
+      for (Edge& e : edge_) {
+        is_covered = is_covered && (e.side > 0 || (e.side == 0 && e.has_its_centres));
+        e.side += e.step;
+      }
+      return is_covered;
+    }
+
+   private:
+    friend CoverageReference;
+    Edge edge_[3];
+  };
+
+  /// The row from pixel (column, row) on. Pixel (0, 0) has its centre at (8, 8) sixteenths.
+  [[nodiscard]] Row row_from(std::int64_t column, std::int64_t row) const {
+    Row pixels;
+    if (area_ == 0) return pixels;
+    for (int i = 0; i < 3; ++i) {
+      const Point p = corner_[i];
+      const Point q = corner_[(i + 1) % 3];
+      // An edge that runs upwards (y points down) has the interior on its right, and a horizontal one that
+      // runs to the right has it below.
+      pixels.edge_[i] = {edge(p, q, {16 * column + 8, 16 * row + 8}), -16 * (q.y - p.y),
+                         q.y < p.y || (q.y == p.y && q.x > p.x)};
+    }
+    return pixels;
   }
 
  private:
   [[nodiscard]] static std::int64_t edge(Point p, Point q, Point at) {
     return (q.x - p.x) * (at.y - p.y) - (q.y - p.y) * (at.x - p.x);
-  }
-  /// The interior is where the edge function is positive. Then an edge that runs upwards (y points down) has
-  /// the interior on its right, and a horizontal one that runs to the right has it below.
-  [[nodiscard]] static bool inside(Point p, Point q, Point at) {
-    const std::int64_t side = edge(p, q, at);
-    if (side != 0) return side > 0;
-    return q.y < p.y || (q.y == p.y && q.x > p.x);
   }
 
   Point corner_[3];

@@ -3,8 +3,10 @@
 
 #include <arcspan/pixel/sink.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -95,6 +97,11 @@ class StrictSink {
   [[nodiscard]] const SinkFaults& faults() const { return faults_; }
   [[nodiscard]] std::uint64_t runs() const { return runs_; }
   [[nodiscard]] const Cell& cell(std::int32_t x, std::int32_t y) const { return cells_[index(x, y)]; }
+  /// The cells of row y from column `left` to before `right`; none if `right` is not greater.
+  [[nodiscard]] std::span<const Cell> cells(std::int32_t left, std::int32_t right, std::int32_t y) const {
+    if (right <= left) return {};
+    return std::span(cells_).subspan(index(left, y), static_cast<std::size_t>(right - left));
+  }
   [[nodiscard]] std::uint64_t drawn() const {
     std::uint64_t count = 0;
     for (const Cell& cell : cells_) count += cell.count != 0 ? 1u : 0u;
@@ -105,7 +112,7 @@ class StrictSink {
   /// Empties the cells of `area` only: cheap for small triangles in a large picture.
   void clear(const Rect& area) {
     for (std::int32_t y = area.top; y < area.bottom; ++y) {
-      for (std::int32_t x = area.left; x < area.right; ++x) cells_[index(x, y)] = {};
+      std::fill_n(cells_.data() + index(area.left, y), area.width(), Cell{});
     }
     faults_ = {};
     runs_ = 0;

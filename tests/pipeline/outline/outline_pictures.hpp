@@ -199,18 +199,18 @@ struct LineAcross {
     const double sy = 16 * (y + down) - 256;
     return (e.to.x - e.from.x) * (sy - e.from.y) - (e.to.y - e.from.y) * (sx - e.from.x) <= 0;
   };
-  bool crossed = false;
+  std::vector<OutlineEdge> crossing;
   for (const OutlineEdge& e : edges) {
     const int corners = is_inside(e, 0, 0) + is_inside(e, 1, 0) + is_inside(e, 0, 1) + is_inside(e, 1, 1);
     if (corners == 0) return 0;
-    crossed = crossed || corners != 4;
+    if (corners != 4) crossing.push_back(e);
   }
-  if (!crossed) return 1;
+  if (crossing.empty()) return 1;
   int inside = 0;
   for (int j = 0; j < 64; ++j) {
     for (int i = 0; i < 64; ++i) {
       const auto holds = [&](const OutlineEdge& e) { return is_inside(e, (i + 0.5) / 64, (j + 0.5) / 64); };
-      inside += std::all_of(edges.begin(), edges.end(), holds) ? 1 : 0;
+      inside += std::all_of(crossing.begin(), crossing.end(), holds) ? 1 : 0;
     }
   }
   return inside / 4096.0;

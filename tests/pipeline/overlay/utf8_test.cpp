@@ -42,7 +42,7 @@ TEST_CASE("UTF-8: every code point comes back, and surrogates do not") {
   for (std::uint32_t code = 0; code <= 0x10FFFF; ++code) {
     const Codes codes = codes_of(encoded(code));
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    same = same && codes == (surrogate ? Codes{kBad, kBad, kBad} : Codes{code});
+    same = same && (surrogate ? codes == Codes{kBad, kBad, kBad} : codes.size() == 1 && codes[0] == code);
   }
   CHECK(same);
 }

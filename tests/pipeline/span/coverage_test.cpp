@@ -73,9 +73,10 @@ class Comparison {
     const RasterOrigin origin = stage_.origin();
     std::uint64_t wrong = 0;
     for (std::int32_t y = area.top; y < area.bottom; ++y) {
-      for (std::int32_t x = area.left; x < area.right; ++x) {
-        const bool drawn = sink_.cell(x, y).count != 0;
-        wrong += drawn != reference(x - origin.x, y - origin.y) ? 1u : 0u;
+      CoverageReference::Row row = reference.row_from(area.left - origin.x, y - origin.y);
+      for (const StrictSink::Cell& cell : sink_.cells(area.left, area.right, y)) {
+        const bool drawn = cell.count != 0;
+        wrong += drawn != row.next() ? 1u : 0u;
         covered_ += drawn ? 1u : 0u;
       }
     }
@@ -96,9 +97,11 @@ class Comparison {
     const RasterOrigin origin = stage_.origin();
     std::string text = "\n";
     for (std::int32_t y = area.top; y < std::min(area.bottom, area.top + kMost); ++y) {
-      for (std::int32_t x = area.left; x < std::min(area.right, area.left + kMost); ++x) {
-        const bool drawn = sink_.cell(x, y).count != 0;
-        const bool right = drawn == reference(x - origin.x, y - origin.y);
+      CoverageReference::Row row = reference.row_from(area.left - origin.x, y - origin.y);
+      for (const StrictSink::Cell& cell :
+           sink_.cells(area.left, std::min(area.right, area.left + kMost), y)) {
+        const bool drawn = cell.count != 0;
+        const bool right = drawn == row.next();
         text += right ? (drawn ? '#' : '.') : (drawn ? 'x' : 'o');
       }
       text += '\n';

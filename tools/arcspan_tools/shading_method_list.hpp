@@ -76,8 +76,12 @@ namespace arcspan::tools {
 
 /// Whether the tools draw textures, vertex colours, transparency and fog with the class of this name. Segment
 /// has its colours at every 2^j-th pixel only.
-[[nodiscard]] constexpr bool draws_effects(std::string_view class_name) {
+[[nodiscard]] constexpr bool draws_effects([[maybe_unused]] std::string_view class_name) {
+#ifdef ARCSPAN_WITHOUT_EFFECTS
+  return false;
+#else
   return class_name == "Flat" || class_name == "Gouraud" || class_name == "Arc";
+#endif
 }
 
 }  // namespace arcspan::tools

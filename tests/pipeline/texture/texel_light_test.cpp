@@ -21,6 +21,13 @@ namespace {
 /// Light of a level of 8 bits as shading passes it on.
 PackedRgb grey_light(std::uint32_t level) { return PackedRgb::grey(4 * level + 2); }
 
+/// A texel under light of which nothing is looked up.
+template <TexelLight Colours>
+LitTexel<Colours> lit_texel(std::uint16_t texel, const PixelLight& light) {
+  using Lit = LitTexel<Colours>;
+  return {texel, light, Lit::factor_of(light.diffuse), Lit::shine_of(light.highlight)};
+}
+
 /// The statistics of errors, in 8-bit steps.
 struct Errors {
   double sum = 0;
@@ -47,8 +54,8 @@ TEST_CASE("a lit texel has no bias, and is within a step of its format", "[textu
       const double share = level / 255.0;
       const PackedRgb light = grey_light(level);
       const auto pixel = static_cast<std::uint16_t>(((texel >> 1) << 11) | (texel << 5) | (texel >> 1));
-      const auto grey = LitTexel<TexelLight::kGrey>::of(pixel, {light, {}});
-      const auto any = LitTexel<TexelLight::kColoured>::of(pixel, {light, {}});
+      const auto grey = lit_texel<TexelLight::kGrey>(pixel, {light, {}});
+      const auto any = lit_texel<TexelLight::kColoured>(pixel, {light, {}});
       red.add(255 / 31.0 * ((grey.rgb565() >> 11) - (texel >> 1) * share));
       green.add(255 / 63.0 * ((grey.rgb565() >> 5 & 63) - texel * share));
       coloured.add(255 / 63.0 * ((any.rgb565() >> 5 & 63) - texel * share));
@@ -84,17 +91,17 @@ TEST_CASE("full light keeps every texel, no light leaves nothing, highlights are
     const auto texel = static_cast<std::uint16_t>(value);
     const PackedRgb full = grey_light(255);
     const PackedRgb none = grey_light(0);
-    using Grey = LitTexel<TexelLight::kGrey>;
-    using Coloured = LitTexel<TexelLight::kColoured>;
-    REQUIRE(Grey::of(texel, {full, {}}).rgb565() == texel);
-    REQUIRE(Coloured::of(texel, {full, {}}).rgb565() == texel);
-    REQUIRE(Rgb565::encode(Grey::of(texel, {full, {}}).packed()) == texel);
-    REQUIRE(Grey::of(texel, {none, {}}).rgb565() == 0);
-    REQUIRE(Coloured::of(texel, {none, {}}).rgb565() == 0);
+    constexpr auto kGrey = TexelLight::kGrey;
+    constexpr auto kColoured = TexelLight::kColoured;
+    REQUIRE(lit_texel<kGrey>(texel, {full, {}}).rgb565() == texel);
+    REQUIRE(lit_texel<kColoured>(texel, {full, {}}).rgb565() == texel);
+    REQUIRE(Rgb565::encode(lit_texel<kGrey>(texel, {full, {}}).packed()) == texel);
+    REQUIRE(lit_texel<kGrey>(texel, {none, {}}).rgb565() == 0);
+    REQUIRE(lit_texel<kColoured>(texel, {none, {}}).rgb565() == 0);
     const PackedRgb white = PackedRgb::grey(1020);
-    REQUIRE(Grey::of(texel, {full, white}).rgb565() == 0xFFFF);
+    REQUIRE(lit_texel<kGrey>(texel, {full, white}).rgb565() == 0xFFFF);
     const PackedRgb half = PackedRgb::grey(512);
-    const std::uint16_t shining = Grey::of(texel, {full, half}).rgb565();
+    const std::uint16_t shining = lit_texel<kGrey>(texel, {full, half}).rgb565();
     REQUIRE((shining >> 11) == std::min<std::uint32_t>(31, (value >> 11) + 16));
     REQUIRE((shining >> 5 & 63) == std::min<std::uint32_t>(63, (value >> 5 & 63) + 32));
     REQUIRE((shining & 31) == std::min<std::uint32_t>(31, (value & 31) + 16));
@@ -135,7 +142,7 @@ TEST_CASE("four texels are mixed by their distances, across the borders of the t
 
 TEST_CASE("coloured light tints texels", "[textures]") {
   const PackedRgb orange = PackedRgb::of(1022, 512, 2);
-  const std::uint16_t lit = LitTexel<TexelLight::kColoured>::of(0xFFFF, {orange, {}}).rgb565();
+  const std::uint16_t lit = lit_texel<TexelLight::kColoured>(0xFFFF, {orange, {}}).rgb565();
   CHECK((lit >> 11) == 31);
   CHECK((lit >> 5 & 63) == 32);
   CHECK((lit & 31) == 0);

@@ -43,15 +43,15 @@ struct EventRun : Run {
     if constexpr (requires { shown.shine; }) {
       if (shown.shine != 0) ++target.events.shiny;
     } else if constexpr (LightRun<Run, Lighting>) {
-      const auto light = Run::light(lighting);
-      if constexpr (requires { lighting.closeness(light.scalars, 0); }) {
+      if constexpr (requires { lighting.closeness(Run::scalars(), 0); }) {
         if (target.tints) {
-          const bool looks_up = lighting.closeness(light.scalars, 0) > 0 && light.scalars[0].raw() > 0;
+          const auto scalars = Run::scalars();
+          const bool looks_up = lighting.closeness(scalars, 0) > 0 && scalars[0].raw() > 0;
           if (looks_up) ++target.events.tinted;
           return shown;
         }
       }
-      if (PixelLight(light).highlight.lanes != 0) ++target.events.shiny;
+      if (PixelLight(Run::light(lighting)).highlight.lanes != 0) ++target.events.shiny;
     }
     return shown;
   }

@@ -108,22 +108,6 @@ struct NormalisedSteps {
   }
 };
 
-/// The parts of a pixel's light, which are computed when they are asked for.
-template <class Lighting, std::size_t Used>
-struct ScalarLight {
-  const Lighting* lighting;
-  std::array<Cosine, Used> scalars;
-
-  // NOLINTNEXTLINE(google-explicit-constructor): it is a PixelLight.
-  [[nodiscard]] ARCSPAN_INLINE constexpr operator PixelLight() const {
-    if constexpr (Used == Lighting::kScalars) {
-      return lighting->surface_light(scalars);
-    } else {
-      return {lighting->diffuse_colour(scalars[0]), {}};
-    }
-  }
-};
-
 /// The pixels of a row (PixelRun), coloured by all scalars of the lighting, or by the diffuse scalar alone.
 template <class Lighting, std::size_t Used, class Steps>
 struct SurfaceRun : Steps {
@@ -145,8 +129,12 @@ struct SurfaceRun : Steps {
     }
   }
   /// Returns the parts of colour() (LightRun).
-  [[nodiscard]] ARCSPAN_INLINE constexpr ScalarLight<Lighting, Used> light(const Lighting& lighting) const {
-    return {&lighting, this->scalars()};
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
+    if constexpr (Used == Lighting::kScalars) {
+      return lighting.surface_light(this->scalars());
+    } else {
+      return {lighting.diffuse_colour(this->scalars()[0]), {}};
+    }
   }
 };
 

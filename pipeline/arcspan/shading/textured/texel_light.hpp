@@ -51,28 +51,23 @@ struct UnlitTexel {
 /// The colour of a texel under light (PackableColour). As a 5-6-5 pixel it is computed from `factor`, with
 /// grey light of 65 levels in one word, and the highlight `shine`; as other formats with all bits of `light`.
 /// Both are rounded.
-/// `Light` is a PixelLight, or converts to it where that is needed.
-template <TexelLight Colours, class Light = PixelLight>
+template <TexelLight Colours>
 struct LitTexel {
   static constexpr bool kGrey = Colours == TexelLight::kGrey;
   /// The light_factor() of grey light, or the red, green and blue of coloured light, 0...1023.
   using Factor = std::conditional_t<kGrey, std::uint32_t, std::array<std::uint32_t, 3>>;
 
   std::uint16_t texel;
-  Light light;
+  PixelLight light;
   Factor factor;
   std::uint32_t shine;  ///< the highlight as a wide_spread()
 
-  ARCSPAN_INLINE constexpr LitTexel(std::uint16_t shown, const Light& reflected, const Factor& factors,
+  ARCSPAN_INLINE constexpr LitTexel(std::uint16_t shown, const PixelLight& reflected, const Factor& factors,
                                     std::uint32_t highlight)
       : texel(shown), light(reflected), factor(factors), shine(highlight) {}
   // Member by member, because small cores would copy colours within operations by memcpy.
   ARCSPAN_INLINE constexpr LitTexel(const LitTexel& other)
       : LitTexel(other.texel, other.light, other.factor, other.shine) {}
-  /// A texel under `light`, from which factor and shine are computed.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr LitTexel of(std::uint16_t shown, const PixelLight& light) {
-    return {shown, light, factor_of(light.diffuse), shine_of(light.highlight)};
-  }
   [[nodiscard]] ARCSPAN_INLINE static constexpr Factor factor_of(PackedRgb diffuse) {
     if constexpr (kGrey) {
       return detail::light_factor(grey_level(diffuse));
@@ -98,15 +93,14 @@ struct LitTexel {
     return detail::joined_wide(lit);
   }
   [[nodiscard]] constexpr PackedRgb packed() const {
-    const PixelLight parts(light);
-    const std::uint32_t green = parts.diffuse.lanes >> 22;
-    const std::uint32_t red = kGrey ? green : (parts.diffuse.lanes >> 11) & 1023u;
-    const std::uint32_t blue = kGrey ? green : parts.diffuse.lanes & 1023u;
+    const std::uint32_t green = light.diffuse.lanes >> 22;
+    const std::uint32_t red = kGrey ? green : (light.diffuse.lanes >> 11) & 1023u;
+    const std::uint32_t blue = kGrey ? green : light.diffuse.lanes & 1023u;
     const Rgb8 unlit = Rgb565::decode(texel);
     const PackedRgb lit =
         PackedRgb::of(detail::lit_channel(unlit.r, red), detail::lit_channel(unlit.g, green),
                       detail::lit_channel(unlit.b, blue));
-    return lit.plus(parts.highlight);
+    return lit.plus(light.highlight);
   }
 };
 

@@ -154,7 +154,42 @@ class PerspectiveTexture {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t first() const { return triangle_->first; }
   ARCSPAN_INLINE constexpr void next() { steps_.next(); }
   /// Begins the next piece of a row of which `left` pixels are left, at least 1. Returns its length.
-  ARCSPAN_INLINE constexpr std::int32_t enter(std::int32_t left) { return enter_outlined(left); }
+  ARCSPAN_OUTLINE constexpr std::int32_t enter(std::int32_t left) {
+    const std::int32_t length = length_of_piece(left);
+    // The last piece ends at its last pixel, because 1/w may vanish beyond the triangle.
+    const bool last = length >= left;
+    const std::int32_t steps = last ? left - 1 : length;
+    End end = at_;
+    std::int32_t du = 0;
+    std::int32_t dv = 0;
+    if (steps != 0) {
+      u_ = wrap_add(u_, wrap_mul(triangle_->u.dx.raw(), steps));
+      v_ = wrap_add(v_, wrap_mul(triangle_->v.dx.raw(), steps));
+      q_ = wrap_add(q_, wrap_mul(triangle_->q.dx.raw(), steps));
+      end = divided();
+      const std::int32_t inverse = detail::kPieceInverses[static_cast<std::size_t>(steps)];
+      const auto step = [inverse](std::int32_t from, std::int32_t to) {
+        return multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse);
+      };
+      du = step(at_.u, end.u);
+      dv = step(at_.v, end.v);
+    }
+    if (triangle_->size.levels != 1) choose_level((at_.log_q + end.log_q) >> 1);
+    const auto word = [](std::int32_t relative, int shift) {
+      return static_cast<std::uint32_t>(detail::to_word<Steps>(relative, shift));
+    };
+    std::uint32_t u = triangle_->u_origin + word(at_.u, triangle_->u_shift);
+    std::uint32_t v = triangle_->v_origin + word(at_.v, triangle_->v_shift);
+    if constexpr (Filter == TextureFilter::kBilinear) {
+      u -= triangle_->half_texel_u();
+      v -= triangle_->half_texel_v();
+    }
+    steps_.start(u, v);
+    steps_.set_step(detail::to_word<Steps>(du, triangle_->u_shift),
+                    detail::to_word<Steps>(dv, triangle_->v_shift));
+    at_ = end;
+    return last ? left : length;
+  }
 
  private:
   /// An end of a piece.
@@ -164,9 +199,6 @@ class PerspectiveTexture {
     std::int32_t log_q;  ///< low_log2() of the raw value of 1/w
   };
 
-  [[nodiscard]] ARCSPAN_INLINE static constexpr std::uint32_t grid_word(std::int32_t relative, int shift) {
-    return static_cast<std::uint32_t>(detail::to_word<Steps>(relative, shift));
-  }
   /// The current pixel as an end, by division.
   [[nodiscard]] ARCSPAN_INLINE constexpr End divided() const {
     // Rounding may lower 1/w below the least of the vertices, by far less than half of it.
@@ -194,39 +226,6 @@ class PerspectiveTexture {
       length = longer;
     }
     return length;
-  }
-  ARCSPAN_OUTLINE constexpr std::int32_t enter_outlined(std::int32_t left) {
-    const std::int32_t length = length_of_piece(left);
-    // The last piece ends at its last pixel, because 1/w may vanish beyond the triangle.
-    const bool last = length >= left;
-    const std::int32_t steps = last ? left - 1 : length;
-    End end = at_;
-    std::int32_t du = 0;
-    std::int32_t dv = 0;
-    if (steps != 0) {
-      u_ = wrap_add(u_, wrap_mul(triangle_->u.dx.raw(), steps));
-      v_ = wrap_add(v_, wrap_mul(triangle_->v.dx.raw(), steps));
-      q_ = wrap_add(q_, wrap_mul(triangle_->q.dx.raw(), steps));
-      end = divided();
-      const std::int32_t inverse = detail::kPieceInverses[static_cast<std::size_t>(steps)];
-      const auto step = [inverse](std::int32_t from, std::int32_t to) {
-        return multiply_high(wrap_shl(wrap_sub(to, from), 2), inverse);
-      };
-      du = step(at_.u, end.u);
-      dv = step(at_.v, end.v);
-    }
-    if (triangle_->size.levels != 1) choose_level((at_.log_q + end.log_q) >> 1);
-    std::uint32_t u = triangle_->u_origin + grid_word(at_.u, triangle_->u_shift);
-    std::uint32_t v = triangle_->v_origin + grid_word(at_.v, triangle_->v_shift);
-    if constexpr (Filter == TextureFilter::kBilinear) {
-      u -= triangle_->half_texel_u();
-      v -= triangle_->half_texel_v();
-    }
-    steps_.start(u, v);
-    steps_.set_step(detail::to_word<Steps>(du, triangle_->u_shift),
-                    detail::to_word<Steps>(dv, triangle_->v_shift));
-    at_ = end;
-    return last ? left : length;
   }
   /// Chooses the mip level of a piece in whose middle the logarithm of 1/w is `log_q`.
   ARCSPAN_INLINE constexpr void choose_level(std::int32_t log_q) {

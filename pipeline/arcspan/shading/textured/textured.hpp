@@ -53,7 +53,8 @@ struct TexturedPixel {
   }
   [[nodiscard]] constexpr const auto& steps() const { return mapping.steps(); }
 
-  /// A texel under the current pixel's light.
+  /// A texel under the current pixel's light. What is looked up replaces the part of the light that it stands
+  /// for, which compilers then leave out.
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t texel) const {
     if constexpr (Colours == TexelLight::kNone) {
@@ -61,56 +62,49 @@ struct TexturedPixel {
     } else if constexpr (Mapping::kHasLevel) {
       return LitTexel<Colours>{
           texel, {PackedRgb::grey(steps().packed_level()), {}}, steps().light_factor(), 0};
-    } else if constexpr (Colours == TexelLight::kColoured &&
-                         requires { lighting.channel_light(light_run.scalars()); }) {
-      const auto parts = light(lighting);
-      const auto channels = lighting.channel_light(light_run.scalars());
-      return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, channels.factors,
-                                                                     channels.shine};
-    } else if constexpr (kLooksUp<Lighting>) {
-      const auto parts = light(lighting);
-      return LitTexel<Colours, std::remove_const_t<decltype(parts)>>{texel, parts, factor(lighting),
-                                                                     shine(lighting, parts)};
     } else {
-      return LitTexel<Colours>::of(texel, PixelLight(light(lighting)));
+      const PixelLight parts = light(lighting);
+      if constexpr (Colours == TexelLight::kColoured &&
+                    requires { lighting.channel_light(light_run.scalars()); }) {
+        const auto channels = lighting.channel_light(light_run.scalars());
+        return LitTexel<Colours>{texel, parts, channels.factors, channels.shine};
+      } else {
+        return LitTexel<Colours>{texel, parts, factor(lighting, parts), shine(lighting, parts)};
+      }
     }
   }
-  /// A part of the light is looked up, so that the rest may be left out. Otherwise all is computed, once.
-  template <class Lighting>
-  static constexpr bool kLooksUp = requires(const Lit& run, const Lighting& lighting) {
-    run.light_factor();
-  }
-  || requires(const Lighting& lighting) { lighting.factor_at(Cosine{}); }
-  || requires(const Lit& run, const Lighting& lighting) { lighting.shine_at(lighting, run.scalars()); };
+
   /// The factor of a LitTexel.
   template <class Lighting>
-  [[nodiscard]] ARCSPAN_INLINE constexpr auto factor(const Lighting& lighting) const {
-    if constexpr (Colours == TexelLight::kColoured) {
-      return LitTexel<Colours>::factor_of(static_cast<PixelLight>(light(lighting)).diffuse);
-    } else if constexpr (requires { light_run.light_factor(); }) {
+  [[nodiscard]] ARCSPAN_INLINE constexpr auto factor(const Lighting& lighting,
+                                                     const PixelLight& parts) const {
+    if constexpr (Colours == TexelLight::kGrey && requires { light_run.light_factor(); }) {
       return light_run.light_factor();
-    } else {
+    } else if constexpr (Colours == TexelLight::kGrey &&
+                         requires { lighting.factor_at(light_run.diffuse_scalar(lighting)); }) {
       return lighting.factor_at(light_run.diffuse_scalar(lighting));
+    } else {
+      return LitTexel<Colours>::factor_of(parts.diffuse);
     }
   }
   /// The highlight as a wide_spread().
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t shine(const Lighting& lighting,
-                                                             const auto& parts) const {
+                                                             const PixelLight& parts) const {
     if constexpr (requires { lighting.shine_at(lighting, light_run.scalars()); }) {
       return lighting.shine_at(lighting, light_run.scalars());
     } else {
-      return LitTexel<Colours>::shine_of(static_cast<PixelLight>(parts).highlight);
+      return LitTexel<Colours>::shine_of(parts.highlight);
     }
   }
   template <class Lighting>
-  [[nodiscard]] ARCSPAN_INLINE constexpr auto light(const Lighting& lighting) const {
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight light(const Lighting& lighting) const {
     if constexpr (LightRun<Lit, Lighting>) {
       return light_run.light(lighting);
     } else if constexpr (requires { light_run.colour(lighting).packed(); }) {
-      return PixelLight{light_run.colour(lighting).packed(), {}};
+      return {light_run.colour(lighting).packed(), {}};
     } else {
-      return PixelLight{light_run.colour(lighting), {}};
+      return {light_run.colour(lighting), {}};
     }
   }
 };

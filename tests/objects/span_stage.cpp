@@ -47,11 +47,11 @@ Status draw_small(const SmallTriangle& triangle, const Surface& surface, const R
   template Status draw_small(const SmallTriangle&, const __VA_ARGS__&, const RasterOrigin&, \
                              const detail::RowTarget<LIGHTING, hal::Framebuffer<FORMAT>, DEPTH>&)
 
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallLinear<LinearRun<Phong1, 1>, 2>);
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallLinear<LinearRun<Phong1, 2>, 2>);
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallNormalised<NormalisedRun<Phong1, 1>, 2>);
-ARCSPAN_INSTANTIATE_SMALL(Phong1, Gray4, NoDepth, SmallNormalised<NormalisedRun<Phong1, 2>, 2>);
-ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb888, DepthBuffer, SmallNormalised<NormalisedRun<Blinn4, 8>, 8>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallRows<LinearRun<Phong1, 1>, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallRows<LinearRun<Phong1, 2>, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Rgb565, DepthBuffer, SmallRows<NormalisedRun<Phong1, 1>, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Phong1, Gray4, NoDepth, SmallRows<NormalisedRun<Phong1, 2>, 2>);
+ARCSPAN_INSTANTIATE_SMALL(Blinn4, Rgb888, DepthBuffer, SmallRows<NormalisedRun<Blinn4, 8>, 8>);
 
 // Lines and points.
 template <class Method, class Format, class Depth>

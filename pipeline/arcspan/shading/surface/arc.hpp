@@ -177,15 +177,15 @@ struct Arc {
   /// False for coloured lights and environment maps, whose pixels always take all scalars.
   static constexpr bool kHasDiffuse = Illumination::kHasRamp;
   template <std::size_t Used>
-  using Linear = ScalarWalker<LinearRun<Lighting, Used>, PlaneScalar, kScalars>;
+  using Linear = SurfaceWalker<LinearRun<Lighting, Used>, std::array<PlaneScalar, kScalars>>;
   template <std::size_t Used>
-  using Quadratic = ScalarWalker<QuadraticRun<Lighting, Used>, BentScalar, kScalars>;
+  using Quadratic = SurfaceWalker<QuadraticRun<Lighting, Used>, std::array<BentScalar, kScalars>>;
   template <std::size_t Used>
-  using Normalised = NormalisedWalker<NormalisedRun<Lighting, Used>, kScalars>;
+  using Normalised = SurfaceWalker<NormalisedRun<Lighting, Used>, NormalisedSurface<kScalars>>;
   template <std::size_t Used>
-  using SmallFlat = SmallLinear<LinearRun<Lighting, Used>, kScalars>;
+  using SmallFlat = SmallRows<LinearRun<Lighting, Used>, kScalars>;
   template <std::size_t Used>
-  using SmallRound = SmallNormalised<NormalisedRun<Lighting, Used>, kScalars>;
+  using SmallRound = SmallRows<NormalisedRun<Lighting, Used>, kScalars>;
 
   [[nodiscard]] static constexpr Path path_of(const SurfaceChoice& choice) {
     const int diffuse = choice.light.reach == LightReach::kHighlight ? 0 : 3;

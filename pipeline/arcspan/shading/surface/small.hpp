@@ -123,28 +123,20 @@ struct SmallSurface {
   SmallMissing missing;  ///< set if the surface is normalised
 };
 
-/// The rows of a small linear surface.
+/// The rows of a small surface: linear, or normalised if `RunOf` is a NormalisedRun.
 template <class RunOf, std::size_t Count>
-struct SmallLinear {
+struct SmallRows {
   using Run = RunOf;
   const SmallSurface<Count>& surface;
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
     Run run;
-    surface.planes.start(b, c, run);
-    return run;
-  }
-};
-/// The rows of a small normalised surface.
-template <class RunOf, std::size_t Count>
-struct SmallNormalised {
-  using Run = RunOf;
-  const SmallSurface<Count>& surface;
-
-  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t, std::int32_t b, std::int32_t c) const {
-    Run run;
-    surface.planes.start(b, c, run.linear);
-    surface.missing.start(b, c, run.missing);
+    if constexpr (requires { run.missing; }) {
+      surface.planes.start(b, c, run.linear);
+      surface.missing.start(b, c, run.missing);
+    } else {
+      surface.planes.start(b, c, run);
+    }
     return run;
   }
 };

@@ -13,45 +13,6 @@
 /// Steps the scalars of a triangle from row to row (RowWalker). Walkers change the prepared surface in place.
 namespace arcspan {
 
-namespace detail {
-
-/// Steps the first `Used` of some surfaces.
-template <std::size_t Used, class Scalar, std::size_t Count>
-ARCSPAN_INLINE constexpr void step_rows(std::array<Scalar, Count>& scalars) {
-  unrolled<Used>([&](auto i) { scalars[i].next_row(); });
-}
-template <std::size_t Used, class Scalar, std::size_t Count>
-constexpr void enter_lower_half(std::array<Scalar, Count>& scalars) {
-  unrolled<Used>([&](auto i) { scalars[i].enter_lower(); });
-}
-
-}  // namespace detail
-
-/// The walker of planes (`RunOf` is a LinearRun) or of quadratic surfaces.
-template <class RunOf, class Scalar, std::size_t Count>
-class ScalarWalker {
- public:
-  using Run = RunOf;
-
-  constexpr ScalarWalker(bool middle_left, std::array<Scalar, Count>& scalars)
-      : middle_left_(middle_left), scalars_(&scalars) {}
-
-  [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    Run run;
-    unrolled<Run::kUsed>([&](auto i) { run.start(i, (*scalars_)[i], start.distance); });
-    if (start.skipped != 0) run.skip(start.skipped);
-    return run;
-  }
-  ARCSPAN_INLINE constexpr void next_row() { detail::step_rows<Run::kUsed>(*scalars_); }
-  constexpr void enter_lower() {
-    if (middle_left_) detail::enter_lower_half<Run::kUsed>(*scalars_);
-  }
-
- private:
-  bool middle_left_;
-  std::array<Scalar, Count>* scalars_;
-};
-
 /// Linear scalars and the missing square of the normal's length.
 template <std::size_t Count>
 struct NormalisedSurface {
@@ -60,35 +21,50 @@ struct NormalisedSurface {
   int slope_dropped;  ///< of `missing` (SurfaceFormat)
 };
 
-/// The walker of a NormalisedSurface.
-template <class RunOf, std::size_t Count>
-class NormalisedWalker {
+/// The walker of an array of planes (`RunOf` is a LinearRun), one of quadratic surfaces (QuadraticRun), or a
+/// NormalisedSurface (NormalisedRun).
+template <class RunOf, class Surface>
+class SurfaceWalker {
  public:
   using Run = RunOf;
 
-  constexpr NormalisedWalker(bool middle_left, NormalisedSurface<Count>& surface)
+  constexpr SurfaceWalker(bool middle_left, Surface& surface)
       : middle_left_(middle_left), surface_(&surface) {}
 
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
     Run run;
-    unrolled<Run::kUsed>([&](auto i) { run.linear.start(i, surface_->scalars[i], start.distance); });
-    run.missing.start(0, surface_->missing, start.distance, surface_->slope_dropped);
+    if constexpr (kIsNormalised) {
+      unrolled<Run::kUsed>([&](auto i) { run.linear.start(i, surface_->scalars[i], start.distance); });
+      run.missing.start(0, surface_->missing, start.distance, surface_->slope_dropped);
+    } else {
+      unrolled<Run::kUsed>([&](auto i) { run.start(i, (*surface_)[i], start.distance); });
+    }
     if (start.skipped != 0) run.skip(start.skipped);
     return run;
   }
   ARCSPAN_INLINE constexpr void next_row() {
-    detail::step_rows<Run::kUsed>(surface_->scalars);
-    surface_->missing.next_row();
+    for_scalars([](auto& scalar) { scalar.next_row(); });
   }
   constexpr void enter_lower() {
-    if (!middle_left_) return;
-    detail::enter_lower_half<Run::kUsed>(surface_->scalars);
-    surface_->missing.enter_lower();
+    if (middle_left_) for_scalars([](auto& scalar) { scalar.enter_lower(); });
   }
 
  private:
+  static constexpr bool kIsNormalised = requires(Surface & surface) { surface.missing; };
+
+  /// Calls change(scalar) for all that the run uses.
+  template <class Change>
+  ARCSPAN_INLINE constexpr void for_scalars(const Change& change) {
+    if constexpr (kIsNormalised) {
+      unrolled<Run::kUsed>([&](auto i) { change(surface_->scalars[i]); });
+      change(surface_->missing);
+    } else {
+      unrolled<Run::kUsed>([&](auto i) { change((*surface_)[i]); });
+    }
+  }
+
   bool middle_left_;
-  NormalisedSurface<Count>* surface_;
+  Surface* surface_;
 };
 
 }  // namespace arcspan

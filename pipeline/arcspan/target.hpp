@@ -58,21 +58,12 @@ inline constexpr bool kOptimisedForSize = false;
 #endif
 
 /// True if the core has a 32x32->64 multiply and a divide instruction. Armv6-M and AVR have neither;
-/// integer.hpp, edge.hpp and small_triangle.hpp (SettledColumn) compute the same bits from
+/// integer.hpp, clip_transform.hpp, edge.hpp and small_triangle.hpp compute the same bits from
 /// 32-bit products there.
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__)
 inline constexpr bool kHasLongMultiply = false;
 #else
 inline constexpr bool kHasLongMultiply = true;
-#endif
-
-/// True if a 64-bit sum of 32-bit products is cheaper than two sums of 32 bits (Armv7-M: SMLAL; 64-bit
-/// hosts). arcspan simulate defines ARCSPAN_LONG_SUMS, because it counts the operations of such a core.
-#if defined(__thumb2__) || defined(ARCSPAN_LONG_SUMS) || \
-    (defined(__SIZEOF_POINTER__) && __SIZEOF_POINTER__ >= 8)
-inline constexpr bool kHasLongSums = true;
-#else
-inline constexpr bool kHasLongSums = false;
 #endif
 
 /// True if most instructions reach more than 8 registers. On Armv6-M (8) a value kept in a register displaces

@@ -39,7 +39,7 @@ static_assert(kGuardBits - 1 <= Linear::kFraction - 3,
 
 namespace detail {
 
-/// An entry of a matrix, below 2^28 in magnitude, for cores whose 64-bit sums of products are cheap.
+/// An entry of a matrix, below 2^28 in magnitude, for cores with a long multiply.
 struct WholeEntry {
   std::int32_t raised;  ///< times 2^3, so that scaled_sum() needs the upper half of a sum only
 
@@ -64,7 +64,7 @@ struct SplitEntry {
   friend constexpr bool operator==(const SplitEntry&, const SplitEntry&) = default;
 };
 
-using MatrixEntry = std::conditional_t<kHasLongSums, WholeEntry, SplitEntry>;
+using MatrixEntry = std::conditional_t<kHasLongMultiply, WholeEntry, SplitEntry>;
 
 /// Returns the product of a row and a position, divided by 2^14 and rounded down, modulo 2^32. Both functions
 /// return the same bits.

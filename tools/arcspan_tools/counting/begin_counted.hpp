@@ -3,9 +3,6 @@
 // that count what is done to them, in the namespace arcspan_counted. No #pragma once: these are brackets.
 #include <arcspan_tools/counting/counted_std.hpp>
 
-// Operations of small machines are counted, on whatever host: those of a Cortex-M3, which has 64-bit sums of
-// products.
-#define ARCSPAN_LONG_SUMS
 #undef ARCSPAN_CHECKED  // the same library serves all builds
 #define arcspan arcspan_counted
 #define std arcspan_counted_std

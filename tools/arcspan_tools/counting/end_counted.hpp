@@ -4,6 +4,5 @@
 #undef wide_reciprocal
 #undef integer_root
 #undef reciprocal_root
-#undef ARCSPAN_LONG_SUMS
 #undef arcspan
 #undef std

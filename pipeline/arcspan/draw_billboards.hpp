@@ -123,14 +123,14 @@ class BillboardStage {
   void draw(const RasterVertex<Method>& upper_left, const RasterVertex<Method>& upper_right,
             const RasterVertex<Method>& lower_left) {
     TriangleCommand<Method> command;
-    if (!prepare_inside<Method, Depth::kTests>(target_.lighting, upper_left, upper_right, lower_left, {},
-                                               scissor_.viewport_rows(), command) ||
+    if (!prepare_triangle<Method, Depth::kTests>(target_.lighting, upper_left, upper_right, lower_left, {},
+                                                 scissor_.viewport_rows(), command) ||
         !command.has_rows_in(scissor_.rect().top, scissor_.rect().bottom, scissor_.origin().y)) {
       return;
     }
     const RasterPosition lower_right{upper_right.position.x, lower_left.position.y, 0};
     EdgeSetup side;
-    make_edge_setup(upper_right.position, lower_right, command.first_row, true, side);
+    make_edge_setup(upper_right.position, lower_right, command.first_row, side);
     make_edge_walk(side, upper_right.position, lower_right, command.lower);
     using CrossingRows = RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>;
     status_ = Method::walk(command.shade, CrossingRows{command, scissor_.origin(), target_});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/literature/inverse_width.hpp>
 #include <arcspan/literature/parabola.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/prepare/row_start.hpp>
@@ -159,7 +160,7 @@ ARCSPAN_OUTLINE constexpr void make_patch_scalar(const Frame& frame, const Patch
   const Cosine g_top = across + top_middle - long_m;  // G at the three vertices
   const Cosine g_bottom = across + middle_bottom - long_rest;
   const Cosine g_middle = g_top + part(g_bottom - g_top, m) + h + h;
-  const InverseLength pixel = InverseLength::of(frame.inverse_width(), 16);
+  const InverseLength pixel = InverseLength::of(inverse_width(frame), 16);
   scalar.second_difference = pixel.times(h + h, pixel);
   if (!frame.middle_left) {
     scalar.left = make_patch_edge(frame.long_edge, pixel, {at.top, g_top}, {at.bottom, g_bottom}, top_bottom);

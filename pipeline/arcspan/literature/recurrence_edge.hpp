@@ -94,7 +94,7 @@ ARCSPAN_OUTLINE constexpr void make_recurrence_edge(const EdgeSetup& edge, std::
   const AngleFormat format = angle_format(chord);
   const SquaredAngle angle2 = angle_of_chord(scaled_chord(chord, format), format);
   const ArcFraction row = arc_fraction(edge.inverse, Subpixel::kFraction);
-  const ArcStart start = arc_start(angle2, format, start_fraction(edge), row.factor());
+  const ArcStart start = arc_start(angle2, format, edge.start, row.factor());
   // A difference is a slope below 2 times `a`, which leaves its leading bits unused. The fine bits take all
   // of them except two, which k needs.
   const int fine = row.exponent > 18 ? row.exponent - 18 : 0;

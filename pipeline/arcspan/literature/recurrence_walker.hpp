@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/literature/inverse_width.hpp>
 #include <arcspan/literature/recurrence_rows.hpp>
 #include <arcspan/literature/row_in_pieces.hpp>
 #include <arcspan/literature/row_pixel.hpp>
-#include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/shading/method.hpp>
 #include <arcspan/shading/surface/chords.hpp>
 #include <arcspan/target.hpp>
@@ -42,14 +42,14 @@ constexpr void prepare_recurrence_rows(const Frame& frame, RecurrenceTriangle<Co
   const SquaredAngle at_middle = row_angle_at_middle(corner, format, frame.middle_fraction);
   if (frame.has_upper) {
     const SquaredAngle at_top = row_angle_at_corner(corner, format, frame.middle_fraction);
-    make_recurrence_rows(at_top, at_middle, format, frame.inverse_width(), frame.upper_edge, true,
+    make_recurrence_rows(at_top, at_middle, format, inverse_width(frame), frame.upper_edge, true,
                          arcs.upper_rows);
   }
   if (frame.has_lower) {
     corner = {middle_bottom, top_bottom, top_middle};
     const SquaredAngle at_bottom =
         row_angle_at_corner(corner, format, Factor::of(1.0) - frame.middle_fraction);
-    make_recurrence_rows(at_bottom, at_middle, format, frame.inverse_width(), frame.lower_edge, false,
+    make_recurrence_rows(at_bottom, at_middle, format, inverse_width(frame), frame.lower_edge, false,
                          arcs.lower_rows);
   }
 }
@@ -65,7 +65,6 @@ ARCSPAN_OUTLINE constexpr void prepare_recurrence(Frame& frame, RecurrenceTriang
   const auto& middle = frame.middle->shade.scalars;
   const auto& bottom = frame.bottom->shade.scalars;
   make_recurrence_edge(frame.long_edge, chords.top_bottom, top, bottom, Count, arcs.long_edge);
-  make_short_inverses(frame);
   if (frame.has_upper)
     make_recurrence_edge(frame.upper_edge, chords.top_middle, top, middle, Count, arcs.upper_edge);
   if (frame.has_lower)

@@ -4,7 +4,6 @@
 #include <arcspan/literature/arc_vertex.hpp>
 #include <arcspan/literature/linear_normal.hpp>
 #include <arcspan/literature/row_pixel.hpp>
-#include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/literature/sine_table.hpp>
 #include <arcspan/literature/wide_rows.hpp>
 
@@ -144,7 +143,6 @@ struct SlerpTriangle {
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
     long_edge.make(frame.long_edge, top, bottom);
-    make_short_inverses(frame);
     if (frame.has_upper) upper_edge.make(frame.upper_edge, top, middle);
     if (frame.has_lower) lower_edge.make(frame.lower_edge, middle, bottom);
     middle_left = frame.middle_left;

@@ -4,7 +4,6 @@
 #include <arcspan/literature/arc_vertex.hpp>
 #include <arcspan/literature/row_angles.hpp>
 #include <arcspan/literature/row_pieces.hpp>
-#include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/target.hpp>
 
@@ -92,7 +91,6 @@ struct VeryWideTriangle {
     widest_piece = widest;
     middle_left = frame.middle_left;
     in_lower = false;
-    make_short_inverses(frame);
     top = frame.top->shade;
     middle = frame.middle->shade;
     bottom = frame.bottom->shade;

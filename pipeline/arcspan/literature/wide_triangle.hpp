@@ -4,7 +4,6 @@
 #include <arcspan/literature/arc_vertex.hpp>
 #include <arcspan/literature/row_angles.hpp>
 #include <arcspan/literature/row_pieces.hpp>
-#include <arcspan/literature/short_inverses.hpp>
 #include <arcspan/numbers/unroll.hpp>
 #include <arcspan/target.hpp>
 
@@ -73,7 +72,6 @@ struct WideTriangle {
     const auto& top = frame.top->shade.scalars;
     const auto& middle = frame.middle->shade.scalars;
     const auto& bottom = frame.bottom->shade.scalars;
-    make_short_inverses(frame);
     long_edge.prepare(frame.long_edge, chords.top_bottom, top, bottom);
     const auto rounded = [](std::uint32_t chord) { return (chord + (1u << 11)) >> 12; };
     const HalfChords at_top{rounded(chords.top_middle), rounded(chords.top_bottom),

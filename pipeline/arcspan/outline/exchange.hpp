@@ -25,7 +25,7 @@ namespace arcspan::detail {
 ARCSPAN_INLINE inline void set_up_columns(const RasterPosition& top, const RasterPosition& bottom,
                                           std::int32_t first_row, bool exchanged, EdgeWalk& walk) {
   EdgeSetup setup;
-  make_edge_setup(top, bottom, first_row, false, setup);
+  make_edge_setup(top, bottom, first_row, setup);
   make_edge_walk(setup, top, bottom, walk);
   // A centre on the edge belongs to its right side, which is above an edge that leads down to the right.
   // 2^-19 pixels are less than the distance of any other centre (EdgeWalk).

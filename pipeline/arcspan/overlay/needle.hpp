@@ -69,7 +69,7 @@ struct NeedleEdge {
   if (edge.first_row < row) edge.first_row = row;
   if (edge.first_row >= edge.end_row) return edge;
   EdgeSetup setup{};
-  make_edge_setup(top, bottom, edge.first_row, false, setup);
+  make_edge_setup(top, bottom, edge.first_row, setup);
   make_edge_walk(setup, top, bottom, edge.walk);
   return edge;
 }

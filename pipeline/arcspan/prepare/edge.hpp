@@ -57,34 +57,21 @@ struct EdgeWalk {
 struct EdgeSetup {
   std::int32_t dy;      ///< height in 16ths of a row, 1...2^15 - 1
   std::int32_t offset;  ///< depth of the first row's centre below the top in 16ths of a row, 0...2^15 - 1
-  /// Reciprocal of dy. Short right edges may lack it until make_inverse() is called.
-  Reciprocal inverse;
-  Factor start;  ///< start_fraction(); unset on short right edges
-
-  ARCSPAN_INLINE constexpr void make_inverse() {
-    inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy));
-  }
+  Reciprocal inverse;   ///< of dy
+  Factor start;         ///< offset / dy, the fraction of the edge at the first row: rounded down, 0...1
 };
-
-/// Returns offset / dy, the fraction of the edge at the first row: rounded down, 0...1.
-[[nodiscard]] constexpr Factor start_fraction(const EdgeSetup& edge) {
-  const std::uint32_t fraction =
-      edge.inverse.times(static_cast<std::uint32_t>(edge.offset), Factor::kFraction);
-  return Factor::from_raw(static_cast<std::int32_t>(fraction > 32768 ? 32768 : fraction));
-}
 
 /// Returns the first row whose centre is at or below y (28.4): ceil(y - 1/2).
 [[nodiscard]] constexpr std::int32_t first_row_at(std::int32_t y) { return (y + 7) >> 4; }
 
 /// Sets up the edge from `top` to `bottom`, where top.y < bottom.y; `row` is the first row to be drawn.
-/// `carries_attributes` is false only on a short edge (one that ends at the middle vertex) on the right: no
-/// attribute is interpolated along it.
 constexpr void make_edge_setup(const RasterPosition& top, const RasterPosition& bottom, std::int32_t row,
-                               bool carries_attributes, EdgeSetup& edge) {
+                               EdgeSetup& edge) {
   edge.dy = bottom.y - top.y;
   edge.offset = row * 16 + 8 - top.y;
-  if (carries_attributes || !kHasLongMultiply) edge.make_inverse();
-  if (carries_attributes) edge.start = start_fraction(edge);
+  edge.inverse = nonzero_reciprocal(static_cast<std::uint32_t>(edge.dy));
+  const std::uint32_t start = edge.inverse.times(static_cast<std::uint32_t>(edge.offset), Factor::kFraction);
+  edge.start = Factor::from_raw(static_cast<std::int32_t>(start > 32768 ? 32768 : start));
 }
 
 /// Sets `walk` to the edge at its first row; `top` and `bottom` are the ends that `edge` was set up with.

@@ -71,8 +71,9 @@ constexpr void place_line_edge(const RasterPosition& top, const RasterPosition& 
                                EdgeWalk& walk) {
   // An edge cannot begin above its top, so it begins a row further down.
   const bool above = offset < 0;
-  EdgeSetup edge{bottom.y - top.y, above ? offset + 16 : offset, {}, {}};
-  if constexpr (!kHasLongMultiply) edge.make_inverse();
+  const std::int32_t dy = bottom.y - top.y;
+  const Reciprocal inverse = nonzero_reciprocal(static_cast<std::uint32_t>(dy));
+  const EdgeSetup edge{dy, above ? offset + 16 : offset, inverse, {}};
   make_edge_walk(edge, top, bottom, walk);
   if (above) walk.x -= walk.step;
 }

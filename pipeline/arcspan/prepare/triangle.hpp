@@ -37,11 +37,9 @@ namespace detail {
 template <class Method>
 ARCSPAN_INLINE inline void place_on_screen(const ClipPosition& position, const ClipTransform& transform,
                                            RasterVertex<Method>& vertex) {
-  if constexpr (NeedsNearOverW<Method>) {
-    vertex.position = project_in_perspective(position, transform, vertex.near_over_w.value);
-  } else {
-    project_to(position.x, position.y, position.w, transform, vertex.position);
-  }
+  [[maybe_unused]] const std::int32_t near_over_w =
+      project_to(position.x, position.y, position.w, transform, vertex.position);
+  if constexpr (NeedsNearOverW<Method>) vertex.near_over_w.value = near_over_w;
 }
 
 /// A copy of a vertex without its shading.
@@ -134,11 +132,6 @@ struct TriangleFrame : SortedVertices<Method> {
   std::uint32_t width;      ///< width in pixels at that height, 16 fraction bits, raw value at least 1
   Reciprocal inverse_unit;  ///< reciprocal of the SlopeUnit, 16 fraction bits
   [[no_unique_address]] LongWalk<Method> long_walk;  ///< set if the method is one that NeedsNearOverW
-
-  /// Returns the reciprocal of `width`.
-  [[nodiscard]] constexpr Reciprocal inverse_width() const {
-    return (width >> 16) != 0 ? inverse_unit : nonzero_reciprocal(width);
-  }
 };
 
 /// Sets up the plane of a 16-bit attribute from its values at the top, middle and bottom vertex.
@@ -196,19 +189,19 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   frame.has_upper = command.first_row < command.middle_row;
   frame.has_lower = command.middle_row < command.end_row;
   EdgeWalk& long_walk = frame.middle_left ? command.right : command.left;
-  make_edge_setup(top, bottom, command.first_row, true, frame.long_edge);
+  make_edge_setup(top, bottom, command.first_row, frame.long_edge);
   make_edge_walk(frame.long_edge, top, bottom, long_walk);
   if constexpr (NeedsNearOverW<Method>) frame.long_walk.set(long_walk);
   // Edges are moved with the picture whether rows use them or not, so that one without rows is set, too.
   if (frame.has_upper) [[likely]] {
-    make_edge_setup(top, middle, command.first_row, frame.middle_left, frame.upper_edge);
+    make_edge_setup(top, middle, command.first_row, frame.upper_edge);
     make_edge_walk(frame.upper_edge, top, middle, frame.middle_left ? command.left : command.right);
   } else {
     frame.upper_edge.offset = 0;  // unused, but gcc would warn
     (frame.middle_left ? command.left : command.right).x = 0;
   }
   if (frame.has_lower) [[likely]] {
-    make_edge_setup(middle, bottom, command.middle_row, frame.middle_left, frame.lower_edge);
+    make_edge_setup(middle, bottom, command.middle_row, frame.lower_edge);
     make_edge_walk(frame.lower_edge, middle, bottom, command.lower);
   } else {
     frame.lower_edge.offset = 0;
@@ -250,21 +243,6 @@ ARCSPAN_OUTLINE_IF_TIGHT [[nodiscard]] constexpr bool prepare_sorted(
   return true;
 }
 
-/// Makes the command that draws a triangle of either winding, as prepare_triangle() does; its vertices are
-/// known to be inside the guard band, as those from project() are. `WithDepth` is false where depth is not
-/// tested; the depth plane is then zero.
-template <class Method, bool WithDepth = true>
-[[nodiscard]] constexpr bool prepare_inside(const typename Method::Lighting& lighting,
-                                            const RasterVertex<Method>& a, const RasterVertex<Method>& b,
-                                            const RasterVertex<Method>& c, const typename Method::Face& face,
-                                            const RowRange& rows, TriangleCommand<Method>& command) {
-  const std::int32_t area = doubled_area(a.position, b.position, c.position);
-  if (area == 0) return false;
-  SortedVertices<Method> vertices{&a, &b, &c, area < 0};
-  detail::sort_by_height(vertices);
-  return prepare_sorted<Method, WithDepth>(lighting, vertices, face, rows, command);
-}
-
 /// Returns true inside the guard band, [-1024, 1024) pixels, within which edges and areas fit their words.
 [[nodiscard]] constexpr bool in_guard_band(const RasterPosition& p) {
   constexpr std::uint32_t kHalf = kGuardBand << Subpixel::kFraction;
@@ -273,15 +251,19 @@ template <class Method, bool WithDepth = true>
 
 /// Makes the command that draws a triangle of either winding. Returns false if there is nothing to draw: if
 /// the triangle has no row among `rows`, the rows of the viewport, if it has no area, or if a vertex is
-/// outside the guard band.
-template <class Method>
+/// outside the guard band. `WithDepth` is false where depth is not tested; the depth plane is then zero.
+template <class Method, bool WithDepth = true>
 [[nodiscard]] constexpr bool prepare_triangle(const typename Method::Lighting& lighting,
                                               const RasterVertex<Method>& a, const RasterVertex<Method>& b,
                                               const RasterVertex<Method>& c,
                                               const typename Method::Face& face, const RowRange& rows,
                                               TriangleCommand<Method>& command) {
   if (!in_guard_band(a.position) || !in_guard_band(b.position) || !in_guard_band(c.position)) return false;
-  return prepare_inside(lighting, a, b, c, face, rows, command);
+  const std::int32_t area = doubled_area(a.position, b.position, c.position);
+  if (area == 0) return false;
+  SortedVertices<Method> vertices{&a, &b, &c, area < 0};
+  detail::sort_by_height(vertices);
+  return prepare_sorted<Method, WithDepth>(lighting, vertices, face, rows, command);
 }
 
 }  // namespace arcspan

@@ -81,18 +81,13 @@ enum ClipOutcode : std::uint8_t {
   return project(p, transform, near_over_w);
 }
 
-/// Sets `position` to project(). At -Os a function whose arguments fit registers.
-ARCSPAN_OUTLINE_IF_TIGHT inline void project_to(std::int32_t x, std::int32_t y, std::int32_t w,
-                                                const ClipTransform& transform, RasterPosition& position) {
+/// Sets `position` to project() and returns near_over_w. At -Os a function whose arguments fit registers.
+ARCSPAN_OUTLINE_IF_TIGHT inline std::int32_t project_to(std::int32_t x, std::int32_t y, std::int32_t w,
+                                                        const ClipTransform& transform,
+                                                        RasterPosition& position) {
   std::int32_t near_over_w;
   position = project({x, y, w}, transform, near_over_w);
-}
-
-/// project() where it is, as a function of its own.
-[[nodiscard]] ARCSPAN_OUTLINE inline RasterPosition project_in_perspective(const ClipPosition& p,
-                                                                           const ClipTransform& transform,
-                                                                           std::int32_t& near_over_w) {
-  return project(p, transform, near_over_w);
+  return near_over_w;
 }
 
 }  // namespace arcspan

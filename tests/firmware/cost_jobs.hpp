@@ -119,7 +119,7 @@ inline bool draw_cost_jobs(const Draw& draw) {
     const Direction& to_eye = reader.take<Direction>(1)[0];
     const auto points = reader.take<TexturePoint>(job.head.texture == 0 ? 0 : job.head.vertices);
     const auto neighbours = reader.take<std::uint8_t>(job.head.neighbours);
-    if ((job.head.is_phong != 0) != (CostLight::model() == Highlight::kPhong)) continue;
+    if ((job.head.is_phong != 0) != (CostLight::kModel == Highlight::kPhong)) continue;
     const Viewport size{static_cast<std::int32_t>(job.head.width),
                         static_cast<std::int32_t>(job.head.height)};
     if (!ok(ClipTransform::make(placement, projection, size, job.transform))) return false;

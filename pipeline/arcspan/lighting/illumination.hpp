@@ -28,7 +28,7 @@
 
 namespace arcspan {
 
-struct HighlightBound;  // forward: literature/highlights_over.hpp
+struct HighlightsOver;  // forward: literature/highlights_over.hpp
 
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
@@ -46,9 +46,6 @@ class Illumination : private FadeFor<Features>,
   using Scalars = std::array<Cosine, kScalars>;
   /// True if the diffuse part is looked up in ramp(): a single light, or several that are grey.
   static constexpr bool kHasRamp = Lights == 1 || !Features.coloured_lights;
-  /// For code that also takes illuminations whose lights are known at run time only.
-  [[nodiscard]] static constexpr std::size_t lights() { return Lights; }
-  [[nodiscard]] static constexpr Highlight model() { return Model; }
 
   constexpr Illumination() = default;
 
@@ -203,22 +200,9 @@ class Illumination : private FadeFor<Features>,
         clamped_unsigned<kRampBits, Cosine::kFraction - kRampBits>(normal_light.raw()));
   }
 
-  /// False if no normal of a triangle has a highlight. `a`, `b` and `c` are the scalars of its vertices;
-  /// `headroom` is the most by which a scalar inside may exceed them.
-  [[nodiscard]] constexpr bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c,
-                                         Cosine headroom) const {
-    return nearest_highlight(a, b, c, headroom) < power_.half_reach();
-  }
-  /// A lower bound of the half distance (PowerTable) of all normals of a triangle, arguments as for
-  /// may_shine(). INT32_MAX if no light reaches it.
-  [[nodiscard]] constexpr std::int32_t nearest_highlight(const Scalars& a, const Scalars& b, const Scalars& c,
-                                                         Cosine headroom) const;
-  /// Bounds of the highlights of all normals of a triangle, by any number of lights, for methods of the
-  /// literature; `Arc` takes light_over(). `ab`, `ac`, `bc`: squared chords, 28 fraction bits, at most 1.
-  [[nodiscard]] constexpr HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
-                                                         std::uint32_t ab, std::uint32_t ac,
-                                                         std::uint32_t bc) const;
-  /// nearest_highlight() of one light.
+  /// A lower bound of the half distance (PowerTable) of the highlight of one light over all normals of a
+  /// triangle. `a`, `b` and `c` are the scalars of its vertices; `headroom` is the most by which a scalar
+  /// inside may exceed them. INT32_MAX if the light does not reach it.
   [[nodiscard]] constexpr std::int32_t nearest_highlight_of(std::size_t light, const Scalars& a,
                                                             const Scalars& b, const Scalars& c,
                                                             Cosine headroom) const;
@@ -227,17 +211,9 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] static constexpr std::size_t highlight_index(std::size_t light) {
     return Model == Highlight::kBlinn ? Lights + light : Lights;
   }
-  /// The weight of a light's highlight, 15 fraction bits; that of a single light is in the coefficients.
-  [[nodiscard]] constexpr std::uint32_t highlight_weight(std::size_t light) const requires kHasRamp {
-    if constexpr (Lights == 1) return std::uint32_t{1} << 15;
-    return weights_[light];
-  }
   /// The squared chord up to which a triangle of any shape with a highlight may be quadratic
   /// (is_accurate_quadratic()).
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
-
-  /// The N·L from which on highlights are not faded, 0 if they end abruptly.
-  [[nodiscard]] constexpr Cosine fade_end() const { return fade().end(); }
 
   /// The change of the largest diffuse channel from no light to all, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr std::uint32_t most_light() const;
@@ -259,6 +235,8 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const;
 
  private:
+  friend struct HighlightsOver;  // literature
+
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
     return scalars[highlight_index(light)];
   }
@@ -288,27 +266,15 @@ class Illumination : private FadeFor<Features>,
   /// (Phong). Phong's c is R·V = 2 (N·L)(N·V) - L·V, so that the result is (1 + L·V) / 2 - (N·L)(N·V).
   [[nodiscard]] constexpr std::int32_t highlight_distance(Cosine normal_light, Cosine other,
                                                           std::size_t light) const {
-    return highlight_distance_from(half_one_plus_light_eye_[light], normal_light, other);
-  }
-  [[nodiscard]] static constexpr std::int32_t highlight_distance_from(std::int32_t half_one_plus_light_eye,
-                                                                      Cosine normal_light, Cosine other) {
     if constexpr (Model == Highlight::kBlinn) {
       return (std::int32_t{1} << (Cosine::kFraction - 1)) - (other.raw() >> 1);
     } else {
       // Rounded to 15 bits; truncation would change a highlight of n = 64 by up to two 8-bit steps.
       const std::int32_t product =
           wrap_mul(round_shift(normal_light.raw(), 15), round_shift(other.raw(), 15));
-      return wrap_sub(half_one_plus_light_eye, product);
+      return wrap_sub(half_one_plus_light_eye_[light], product);
     }
   }
-
-  /// A lower bound of the half distance of one light; an end below `reach` need not be exact.
-  [[nodiscard]] constexpr std::int32_t nearest_in_triangle(std::size_t light, std::int32_t reach,
-                                                           const Scalars& a, const Scalars& b,
-                                                           const Scalars& c, std::uint32_t ab,
-                                                           std::uint32_t ac, std::uint32_t bc) const;
-  /// The largest weight of a light in a channel, 15 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t largest_weight(std::size_t light) const;
 
   /// diffuse_scalar().
   [[nodiscard]] constexpr Cosine mean_light(const Scalars& scalars, std::uint32_t lit) const;

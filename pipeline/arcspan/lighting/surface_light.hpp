@@ -117,7 +117,7 @@ constexpr bool Illumination<Lights, Model, Features>::is_dark([[maybe_unused]] c
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr bool Illumination<Lights, Model, Features>::may_end(std::size_t light, const Scalars& a,
                                                               const Scalars& b, const Scalars& c) const {
-  const std::int32_t lit_from = fade_end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
+  const std::int32_t lit_from = fade().end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
   if (Model == Highlight::kPhong && half_one_plus_light_eye_[light] - lit_from >= power_.half_reach())
     return false;
   return a[light].raw() < lit_from || b[light].raw() < lit_from || c[light].raw() < lit_from;

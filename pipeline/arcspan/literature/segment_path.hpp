@@ -111,13 +111,13 @@ template <class Lighting, class Frame>
   if constexpr (Lighting::kHasRamp) {
     // 2^-12 is for the errors of patches and pieces.
     const auto headroom = Cosine::from_raw(arcspan::detail::cap_height(widest) + (std::int32_t{1} << 18));
-    if (!lighting.may_shine(top, middle, bottom, headroom))
+    if (!may_shine(lighting, top, middle, bottom, headroom))
       return diffuse_segment_path(lighting, frame, fits, lit);
   }
   if (!fits) return SegmentPath::kWide;
   if (is_accurate_as_patch(frame, lighting.widest_patch())) return SegmentPath::kPatch;
-  const HighlightBound bound = lighting.highlights_over(top, middle, bottom, chords.top_middle,
-                                                        chords.top_bottom, chords.middle_bottom);
+  const HighlightBound bound = highlights_over(lighting, top, middle, bottom, chords.top_middle,
+                                               chords.top_bottom, chords.middle_bottom);
   if constexpr (Lighting::kHasRamp) {
     if (bound.nearest >= lighting.power().half_reach())
       return diffuse_segment_path(lighting, frame, true, lit);

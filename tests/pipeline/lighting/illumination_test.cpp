@@ -360,8 +360,8 @@ TEST_CASE("a highlight fades to nothing at the terminator and is whole from the 
   REQUIRE(ok(Fading::make(material, lights, to_eye, abrupt)));
   material.highlight_fade = Coefficient::of(0.125);
   REQUIRE(ok(Fading::make(material, lights, to_eye, fading)));
-  CHECK(fading.fade_end() == Cosine::of(0.125));
-  CHECK(abrupt.fade_end() == Cosine{});
+  CHECK(fading.fade().end() == Cosine::of(0.125));
+  CHECK(abrupt.fade().end() == Cosine{});
   const auto level = [](const Fading& lit, double normal_light) {
     const Vec3 normal{std::sqrt(1 - normal_light * normal_light), 0, normal_light};
     return int{lit.colour(lit.scalars(to_direction(normal))).rgb8().r};

@@ -65,7 +65,7 @@ int check_highlights_over(std::uint64_t seed, int triangles) {
                               squared_chord(packed[1], packed[2])};
     if (chords.widest() > std::uint32_t{1} << 28) continue;
     const HighlightBound bound =
-        lit.highlights_over(at[0], at[1], at[2], chords.top_middle, chords.top_bottom, chords.middle_bottom);
+        highlights_over(lit, at[0], at[1], at[2], chords.top_middle, chords.top_bottom, chords.middle_bottom);
     faint += bound.slope < 12 ? 1 : 0;
     for (int sample = 0; sample < 60; ++sample) {
       const double a = random.unit();
@@ -165,8 +165,8 @@ TEST_CASE("the bounds of scalars and of highlights are defined for any scalars")
           return std::array{Cosine::from_raw(x), Cosine::from_raw(y)};
         };
         const Illumination<1, Highlight::kPhong> lit{};
-        (void)lit.highlights_over(light_and_eye(a, b), light_and_eye(b, a), light_and_eye(c, b),
-                                  std::uint32_t{1} << 28, std::uint32_t{1} << 28, std::uint32_t{1} << 28);
+        (void)highlights_over(lit, light_and_eye(a, b), light_and_eye(b, a), light_and_eye(c, b),
+                              std::uint32_t{1} << 28, std::uint32_t{1} << 28, std::uint32_t{1} << 28);
       }
     }
   }
@@ -216,7 +216,7 @@ TEST_CASE("a highlight by N·H counts as if it were brightest where a vertex is 
   const auto lit = lit_from_x<Lit>(60, 2);
   const auto slope_at = [&lit](double degrees) {
     const Lit::Scalars at = lit.scalars(to_direction(at_degrees(degrees)));
-    return lit.highlights_over(at, at, at, 0, 0, 0).slope;
+    return highlights_over(lit, at, at, at, 0, 0, 0).slope;
   };
   CHECK(slope_at(90) < 1);  // out of the light
   CHECK(slope_at(89.8) == HighlightBound::kBrightest);
@@ -238,8 +238,8 @@ TEST_CASE("a highlight that may end in the triangle counts as if it were brighte
       at[k] = lit.scalars(to_direction(normal));
       packed[k] = to_normal(to_direction(normal));
     }
-    return lit.highlights_over(at[0], at[1], at[2], squared_chord(packed[0], packed[1]),
-                               squared_chord(packed[0], packed[2]), squared_chord(packed[1], packed[2]));
+    return highlights_over(lit, at[0], at[1], at[2], squared_chord(packed[0], packed[1]),
+                           squared_chord(packed[0], packed[2]), squared_chord(packed[1], packed[2]));
   };
   CHECK(bound_at(90).slope == HighlightBound::kBrightest);
   CHECK(bound_at(86).slope < HighlightBound::kBrightest);
@@ -253,7 +253,7 @@ TEMPLATE_TEST_CASE("a highlight that may fade in the triangle counts as if it we
   const auto slope_with = [](Coefficient fade) {
     const auto lit = lit_from_x<Lit>(100, 8, fade);
     const typename Lit::Scalars at = lit.scalars(to_direction(at_degrees(65)));  // N·L = 0.42
-    return lit.highlights_over(at, at, at, 0, 0, 0).slope;
+    return highlights_over(lit, at, at, at, 0, 0, 0).slope;
   };
   CHECK(slope_with({}) < HighlightBound::kBrightest);
   CHECK(slope_with(Coefficient::of(0.5)) == HighlightBound::kBrightest);

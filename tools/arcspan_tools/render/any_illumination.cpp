@@ -96,12 +96,12 @@ class CallsOf final : public IlluminationCalls {
   }
   [[nodiscard]] bool may_shine(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
                                Cosine headroom) const override {
-    return wrapped_.may_shine(few_of(a), few_of(b), few_of(c), headroom);
+    return arcspan::may_shine(wrapped_, few_of(a), few_of(b), few_of(c), headroom);
   }
   [[nodiscard]] HighlightBound highlights_over(const AnyScalars& a, const AnyScalars& b, const AnyScalars& c,
                                                std::uint32_t ab, std::uint32_t ac,
                                                std::uint32_t bc) const override {
-    return wrapped_.highlights_over(few_of(a), few_of(b), few_of(c), ab, ac, bc);
+    return arcspan::highlights_over(wrapped_, few_of(a), few_of(b), few_of(c), ab, ac, bc);
   }
   [[nodiscard]] std::uint32_t widest_patch() const override { return wrapped_.widest_patch(); }
   [[nodiscard]] const PowerTable& power() const override { return wrapped_.power(); }

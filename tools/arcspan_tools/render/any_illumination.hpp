@@ -130,12 +130,14 @@ class AnyIllumination {
                                     std::uint32_t& lit) const {
     return calls_->lit_throughout(a, b, c, lit);
   }
-  [[nodiscard]] bool may_shine(const Scalars& a, const Scalars& b, const Scalars& c, Cosine headroom) const {
-    return calls_->may_shine(a, b, c, headroom);
+  [[nodiscard]] friend bool may_shine(const AnyIllumination& lit, const Scalars& a, const Scalars& b,
+                                      const Scalars& c, Cosine headroom) {
+    return lit.calls_->may_shine(a, b, c, headroom);
   }
-  [[nodiscard]] HighlightBound highlights_over(const Scalars& a, const Scalars& b, const Scalars& c,
-                                               std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) const {
-    return calls_->highlights_over(a, b, c, ab, ac, bc);
+  [[nodiscard]] friend HighlightBound highlights_over(const AnyIllumination& lit, const Scalars& a,
+                                                      const Scalars& b, const Scalars& c, std::uint32_t ab,
+                                                      std::uint32_t ac, std::uint32_t bc) {
+    return lit.calls_->highlights_over(a, b, c, ab, ac, bc);
   }
   [[nodiscard]] std::uint32_t widest_patch() const { return calls_->widest_patch(); }
   [[nodiscard]] const PowerTable& power() const { return calls_->power(); }

@@ -59,9 +59,13 @@ struct RowAngles {
 
   /// Returns psi^2 of the row at a fraction of the short edge.
   [[nodiscard]] constexpr Factor squared(Factor fraction) const {
+    // Rounded down, which saves an addition where half a unit of bias does no harm.
+    const auto product = [](Factor a, Factor b) {
+      return Factor::from_raw(wrap_mul(a.raw(), b.raw()) >> Factor::kFraction);
+    };
     const Factor t = fraction - origin;
-    const Factor t2 = multiply_floor<Factor>(t, t);
-    return multiply_floor<Factor>(t2, corner + multiply_floor<Factor>(t2, rise));
+    const Factor t2 = product(t, t);
+    return product(t2, corner + product(t2, rise));
   }
 };
 

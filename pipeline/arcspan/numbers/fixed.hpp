@@ -82,15 +82,6 @@ template <class To, class A, class B>
   }
 }
 
-/// a * b in format `To`, rounded down, which saves the addition of multiply() where half a unit of bias does
-/// no harm. |a.raw() * b.raw()| must be below 2^31; otherwise the result wraps.
-template <class To, class A, class B>
-[[nodiscard]] constexpr To multiply_floor(A a, B b) {
-  constexpr int kShift = A::kFraction + B::kFraction - To::kFraction;
-  static_assert(kShift >= 0 && kShift < 32);
-  return To::from_raw(static_cast<typename To::Rep>(wrap_mul(a.raw(), b.raw()) >> kShift));
-}
-
 /// `a` in format `To`: rounded if it has fewer fraction bits, otherwise exact. The result must fit `To`.
 template <class To, class A>
 [[nodiscard]] constexpr To convert(A a) {

@@ -68,9 +68,10 @@ inline constexpr std::array<std::uint16_t, 257> kReciprocalTable = make_reciproc
 
 namespace detail {
 
-/// 1/n with 31 fraction bits, for n = normalised / 2^31 in [1, 2), by one Newton step in 32-bit products. `r`
-/// is reciprocal_mantissa(normalised).
-[[nodiscard]] constexpr std::uint32_t refined_mantissa(std::uint32_t normalised, std::uint32_t r) {
+/// 1/n with 31 fraction bits, in [2^30, 2^31], for n = normalised / 2^31 in [1, 2): reciprocal_mantissa()
+/// after one Newton step in 32-bit products.
+[[nodiscard]] constexpr std::uint32_t wide_reciprocal_mantissa(std::uint32_t normalised) {
+  const std::uint32_t r = reciprocal_mantissa(normalised);
   // n r - 1 with 31 fraction bits, below 81700 in magnitude: the leading 1 is 2^31 and drops out.
   const std::uint32_t product = kHasLongMultiply
                                     ? static_cast<std::uint32_t>((std::uint64_t{normalised} * r) >> 16)
@@ -78,10 +79,6 @@ namespace detail {
   const auto error = static_cast<std::int32_t>(product - (std::uint32_t{1} << 31));
   const std::int32_t correction = (error * static_cast<std::int32_t>(r >> 2)) >> 14;
   return (r << 15) - static_cast<std::uint32_t>(correction);
-}
-/// 1/n with 31 fraction bits, in [2^30, 2^31], for n = normalised / 2^31 in [1, 2).
-[[nodiscard]] constexpr std::uint32_t wide_reciprocal_mantissa(std::uint32_t normalised) {
-  return refined_mantissa(normalised, reciprocal_mantissa(normalised));
 }
 
 }  // namespace detail

@@ -37,14 +37,6 @@ struct NormalChords {
   [[nodiscard]] constexpr std::uint32_t sum() const { return top_middle + top_bottom + middle_bottom; }
 };
 
-template <std::size_t Count>
-[[nodiscard]] constexpr NormalChords chords_of(const SurfaceVertex<Count>& top,
-                                               const SurfaceVertex<Count>& middle,
-                                               const SurfaceVertex<Count>& bottom) {
-  return {squared_chord(top.normal, middle.normal), squared_chord(top.normal, bottom.normal),
-          squared_chord(middle.normal, bottom.normal)};
-}
-
 /// Returns the vertex at the fraction t, 0...1, of the chord from a to b. At 1/2 the result does not depend
 /// on the order of a and b.
 template <std::size_t Count>

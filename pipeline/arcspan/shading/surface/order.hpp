@@ -55,7 +55,8 @@ template <class Lighting, std::size_t Count>
   if (lighting.is_dark(top.scalars, middle.scalars, bottom.scalars)) return choice;
   choice.order = SurfaceOrder::kNormalised;
   choice.light.reach = LightReach::kHighlight;
-  choice.chords = chords_of(top, middle, bottom);
+  choice.chords = {squared_chord(top.normal, middle.normal), squared_chord(top.normal, bottom.normal),
+                   squared_chord(middle.normal, bottom.normal)};
   const std::uint32_t widest = choice.chords.widest();
   if (widest > kWidestBounded || (top.deficit | middle.deficit | bottom.deficit) != 0) return choice;
   choice.light = lighting.light_over(top.scalars, middle.scalars, bottom.scalars, widest);

@@ -86,13 +86,6 @@ namespace detail {
   return static_cast<std::uint32_t>(d ^ (d >> 31));
 }
 
-/// log2(sqrt(a^2 + b^2)) of log2(a) and log2(b), 8 fraction bits; too low by at most 1/16.
-[[nodiscard]] constexpr std::int32_t log_of_hypotenuse(std::int32_t log_a, std::int32_t log_b) {
-  const std::int32_t longer = log_a > log_b ? log_a : log_b;
-  const std::int32_t to_512 = 512 - (2 * longer - log_a - log_b);
-  return longer + (to_512 > 0 ? (to_512 * to_512) >> 11 : 0);
-}
-
 /// log2 of the length in texels of level 0 of a step by u and v, each of which is below 2^31. All have 8
 /// fraction bits.
 [[nodiscard]] constexpr std::int32_t log_step(std::uint32_t u, std::uint32_t v) {

@@ -7,6 +7,7 @@
 #include <arcspan/prepare/triangle.hpp>
 #include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/textured/joined_point.hpp>
+#include <arcspan/shading/textured/perspective_sides.hpp>
 #include <arcspan/shading/textured/piece_length.hpp>
 #include <arcspan/shading/textured/texture_grid.hpp>
 #include <arcspan/shading/textured/texture_level.hpp>
@@ -23,21 +24,6 @@ namespace arcspan {
 struct TextureWords {
   std::uint32_t u;
   std::uint32_t v;
-};
-
-/// The sides of the rectangle of the texture that a pixel covers, where the raw value of 1/w is q: along a
-/// line of equal depth 1/q of what it is for a q of 1, across such lines 1/q^2. Towards the horizon a pixel
-/// covers much of a floor's length and little of its width. All are binary logarithms with 8 fraction bits.
-struct PerspectiveSides {
-  std::int32_t log_along;  ///< texels of level 0, for a q of 1
-  std::int32_t log_across;
-
-  /// The longer side.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t log_longer(std::int32_t log_q) const {
-    const std::int32_t along = log_along - log_q;
-    const std::int32_t across = log_across - 2 * log_q;
-    return along > across ? along : across;
-  }
 };
 
 /// How a texture lies on a triangle: the part of the command that the texture adds.
@@ -230,57 +216,6 @@ template <class Steps, class Levels, class Frame>
                                             JoinedLevel::kHalf << JoinedLevel::kRoundedBits, kLevelShift,
                                             level_step, JoinedLevel::kRoundedBits));
   return true;
-}
-
-/// The changes of a quantity from a triangle's top to its middle and to its bottom, which are these times
-/// 2^shift. They have 14 bits and a sign.
-struct CornerChanges {
-  std::int32_t to_middle;
-  std::int32_t to_bottom;
-  int shift;
-
-  /// They differ by less than 2^31.
-  constexpr CornerChanges(std::int32_t top, std::int32_t middle, std::int32_t bottom) {
-    const std::int32_t m = wrap_sub(middle, top);
-    const std::int32_t b = wrap_sub(bottom, top);
-    shift = 18 - leading_zeros(low_magnitude(m) | low_magnitude(b) | 0x3FFFu);
-    to_middle = m >> shift;
-    to_bottom = b >> shift;
-  }
-  [[nodiscard]] constexpr bool are_zero() const { return (to_middle | to_bottom) == 0; }
-  /// log2 of the area that the triangle has if this is x and `other`, with a shift of 0, is y; 8 fraction
-  /// bits.
-  [[nodiscard]] constexpr std::int32_t log_area(const CornerChanges& other) const {
-    return low_log2(magnitude(to_middle * other.to_bottom - to_bottom * other.to_middle)) + 256 * shift;
-  }
-};
-
-/// Returns the sides of the pixels of a triangle in perspective. `q` is 1/w at its corners, `u` and `v` are
-/// the relative u/w and v/w; `u_bits` and `v_bits` are the binary logarithms of the texels that a u or v of 1
-/// has. `log_area` is log_area_of().
-///
-/// With the gradients U of u/w and Q of 1/w, a pixel along the line of equal depth changes u/w by
-/// |U x Q| / |Q|, and u by that over q. In both products the area of the triangle is a factor. The area of a
-/// pixel is C / q^3, the mean over the triangle C / (q0 q1 q2).
-template <class Frame>
-[[nodiscard]] constexpr PerspectiveSides perspective_sides(const Frame& frame, const std::int32_t (&q)[3],
-                                                           const std::int32_t (&u)[3],
-                                                           const std::int32_t (&v)[3], int u_bits, int v_bits,
-                                                           std::int32_t log_area) {
-  const RasterPosition& a = frame.top->position;
-  const RasterPosition& b = frame.middle->position;
-  const RasterPosition& c = frame.bottom->position;
-  const CornerChanges x(a.x, b.x, c.x);
-  const CornerChanges y(a.y, b.y, c.y);
-  CornerChanges depth(q[0], q[1], q[2]);
-  if (depth.are_zero()) depth = y;  // each line is of equal depth; take the rows
-  const std::int32_t slope = log_of_hypotenuse(x.log_area(depth), y.log_area(depth));
-  const std::int32_t along =
-      log_of_hypotenuse(CornerChanges(u[0], u[1], u[2]).log_area(depth) + 256 * u_bits,
-                        CornerChanges(v[0], v[1], v[2]).log_area(depth) + 256 * v_bits) -
-      slope + 256 * Subpixel::kFraction;
-  for (const std::int32_t corner : q) log_area += low_log2(static_cast<std::uint32_t>(corner));
-  return {along, log_area - along};
 }
 
 /// Prepares a triangle whose u and v are not linear.

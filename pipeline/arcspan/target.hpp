@@ -171,21 +171,6 @@ template <int Bits, int Shift>
   return static_cast<std::uint32_t>(shifted < 0 ? 0 : shifted > kMost ? kMost : shifted);
 }
 
-/// Returns v >> Shift clamped to the range of signed integers of `Bits` bits; only if kHasSaturate.
-template <int Bits, int Shift>
-[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t saturated_signed(std::int32_t v) {
-  constexpr auto kMost = static_cast<std::int32_t>((std::uint32_t{1} << (Bits - 1)) - 1);
-#ifdef ARCSPAN_HAS_USAT
-  if (!std::is_constant_evaluated()) {
-    std::int32_t result;
-    asm("ssat %0, %1, %2, asr %3" : "=r"(result) : "I"(Bits), "r"(v), "I"(Shift));
-    return result;
-  }
-#endif
-  const std::int32_t shifted = v >> Shift;
-  return shifted < -kMost - 1 ? -kMost - 1 : shifted > kMost ? kMost : shifted;
-}
-
 #undef ARCSPAN_HAS_USAT
 
 }  // namespace arcspan

@@ -15,17 +15,10 @@ namespace arcspan::detail {
   return clamped_to_bits<16>(c);
 }
 
-/// Coordinates without their `Down` fraction bits, saturated to 16 bits: by an instruction each, or with one
-/// test where none is.
+/// Coordinates without their `Down` fraction bits, saturated to 16 bits. One test where none is.
 template <int Down = 0>
 [[nodiscard]] ARCSPAN_INLINE inline ObjectPosition saturated_position(std::int32_t x, std::int32_t y,
                                                                       std::int32_t z) {
-  if constexpr (kHasSaturate && Down != 0) {
-    const auto saturated = [](std::int32_t c) {
-      return static_cast<std::int16_t>(saturated_signed<16, Down>(c));
-    };
-    return {saturated(x), saturated(y), saturated(z)};
-  }
   x >>= Down;
   y >>= Down;
   z >>= Down;

@@ -265,17 +265,11 @@ class AnimationCheck {
   AnimationCheck(const StoredModel& model, const StoredAnimation& animation, std::size_t nodes)
       : model_(model), animation_(animation), nodes_(nodes) {}
 
-  /// A pass over all chunks, 1...kPasses. (A table of the functions would keep them in programs that do not
-  /// call them.)
   static constexpr int kPasses = 3;
+  /// Checks a chunk in its pass over all chunks, 1...kPasses. (A table of functions would keep them in
+  /// programs that do not call them.)
   [[nodiscard]] Status run(int pass, const Chunk& chunk) const {
-    if (pass == 1) return check_first(chunk);
-    return pass == 2 ? check_second(chunk) : check_third(chunk);
-  }
-
- private:
-  /// Checks chunks that name only nodes and vertices.
-  [[nodiscard]] Status check_first(const Chunk& chunk) const {
+    if (pass != pass_of(chunk.tag)) return Status::kOk;
     switch (chunk.tag) {
       case binary::kNodesTag:
         return chunk.number == 0 ? check_nodes(chunk.bytes) : Status::kCorrupted;
@@ -285,29 +279,28 @@ class AnimationCheck {
         return check_skin(chunk.bytes, nodes_);
       case binary::kMorphTag:
         return is_part(chunk) ? check_morph(chunk.bytes, vertices_of(chunk)) : Status::kIndexOutOfRange;
-      default:
-        return Status::kOk;
-    }
-  }
-  /// Checks those that name skins and morph targets, which have been checked.
-  [[nodiscard]] Status check_second(const Chunk& chunk) const {
-    switch (chunk.tag) {
       case binary::kWeightsTag:
         return is_part(chunk) ? check_weights(chunk.bytes, vertices_of(chunk), skin_of(chunk.bytes))
                               : Status::kIndexOutOfRange;
       case binary::kClipTag:
         return check_clip(chunk.bytes, animation_);
+      case binary::kBoundsTag:
+        return check_bounds_of(animation_.weights(static_cast<std::size_t>(chunk.number)), chunk.bytes);
       default:
         return Status::kOk;
     }
   }
-  /// Checks the bounds of a part, whose weights have been checked.
-  [[nodiscard]] Status check_third(const Chunk& chunk) const {
-    if (chunk.tag != binary::kBoundsTag) return Status::kOk;
-    const StoredWeights weights = animation_.weights(static_cast<std::size_t>(chunk.number));
-    return check_bounds(chunk.bytes, weights.exist() ? animation_.skin(weights.skin()).size() : 0);
-  }
 
+ private:
+  /// Chunks that name only nodes and vertices come first, then those that name skins and morph targets, then
+  /// the bounds of parts, which need weights.
+  [[nodiscard]] static int pass_of(std::uint32_t tag) {
+    if (tag == binary::kBoundsTag) return 3;
+    return tag == binary::kWeightsTag || tag == binary::kClipTag ? 2 : 1;
+  }
+  [[nodiscard]] Status check_bounds_of(const StoredWeights& weights, Bytes chunk) const {
+    return check_bounds(chunk, weights.exist() ? animation_.skin(weights.skin()).size() : 0);
+  }
   [[nodiscard]] bool is_part(const Chunk& chunk) const { return chunk.number < model_.part_count(); }
   [[nodiscard]] std::size_t vertices_of(const Chunk& chunk) const {
     return detail::mesh_of_chunk(model_.chunks().find(model_binary::kMeshTag, chunk.number).data())

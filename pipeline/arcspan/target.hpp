@@ -57,9 +57,8 @@ inline constexpr bool kOptimisedForSize = true;
 inline constexpr bool kOptimisedForSize = false;
 #endif
 
-/// True if the core has a 32x32->64 multiply and a divide instruction. Armv6-M and AVR have neither;
-/// integer.hpp, clip_transform.hpp, edge.hpp and small_triangle.hpp compute the same bits from
-/// 32-bit products there.
+/// True if the core has a 32x32->64 multiply and a divide instruction. Armv6-M and AVR have neither; code
+/// that asks for it computes the same bits from 32-bit products there.
 #if defined(__ARM_ARCH_6M__) || defined(__AVR__)
 inline constexpr bool kHasLongMultiply = false;
 #else

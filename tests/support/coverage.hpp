@@ -15,9 +15,9 @@ struct Point {
 class CoverageReference {
   /// The interior is where the edge function is positive.
   struct Edge {
-    std::int64_t side = -1;        ///< the edge function at a pixel's centre
-    std::int64_t step = 0;         ///< what it changes by to the next column
-    bool has_its_centres = false;  ///< of pixels, where the function is 0
+    std::int64_t side = -1;     ///< the edge function at a pixel's centre
+    std::int64_t step = 0;      ///< what it changes by to the next column
+    bool has_its_line = false;  ///< pixels whose centres lie on the edge belong to it
   };
 
  public:
@@ -36,7 +36,7 @@ class CoverageReference {
     [[nodiscard]] bool next() {
       bool is_covered = true;
       for (Edge& e : edge_) {
-        is_covered = is_covered && (e.side > 0 || (e.side == 0 && e.has_its_centres));
+        is_covered = is_covered && (e.side > 0 || (e.side == 0 && e.has_its_line));
         e.side += e.step;
       }
       return is_covered;

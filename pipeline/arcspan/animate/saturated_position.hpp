@@ -15,7 +15,7 @@ namespace arcspan::detail {
   return clamped_to_bits<16>(c);
 }
 
-/// Coordinates without their `Down` fraction bits, saturated to 16 bits. One test where none is.
+/// Coordinates without their `Down` fraction bits, saturated to 16 bits: one test if none is.
 template <int Down = 0>
 [[nodiscard]] ARCSPAN_INLINE inline ObjectPosition saturated_position(std::int32_t x, std::int32_t y,
                                                                       std::int32_t z) {

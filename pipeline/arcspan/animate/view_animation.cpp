@@ -266,8 +266,8 @@ class AnimationCheck {
       : model_(model), animation_(animation), nodes_(nodes) {}
 
   static constexpr int kPasses = 3;
-  /// Checks a chunk in its pass over all chunks, 1...kPasses. (A table of functions would keep them in
-  /// programs that do not call them.)
+  /// Checks a chunk if `pass`, 1...kPasses, is its own. (A table of the checks would keep all of them in
+  /// programs that call none.)
   [[nodiscard]] Status run(int pass, const Chunk& chunk) const {
     if (pass != pass_of(chunk.tag)) return Status::kOk;
     switch (chunk.tag) {

@@ -28,8 +28,6 @@
 
 namespace arcspan {
 
-struct HighlightsOver;  // forward: literature/highlights_over.hpp
-
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
 /// (Phong). They are linear on a surface because they are linear in N.
@@ -235,7 +233,7 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const;
 
  private:
-  friend struct HighlightsOver;  // literature
+  friend struct HighlightsOver;  // literature/highlights_over.hpp
 
   [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
     return scalars[highlight_index(light)];

@@ -26,7 +26,8 @@ struct HighlightBound {
 
 namespace detail {
 
-/// Returns an upper bound of a scalar over a triangle from its values c_i at the vertices; `chord` as above.
+/// Returns an upper bound of a scalar over a triangle from its values c_i at the vertices; `chord` is the
+/// widest squared chord, 28 fraction bits.
 ///
 /// A normal inside is N = sum l_i N_i / w with l_i >= 0, sum l_i = 1 and w = |sum l_i N_i|. Let P be the sum
 /// of l_i l_j over the edges, at most 1/3. Then w^2 >= 1 - s P, and because 1 / w is convex in P, it is at
@@ -49,7 +50,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// What highlights_over() computes of the members of an Illumination.
+/// The part of highlights_over() that takes private members of an Illumination.
 struct HighlightsOver {
   /// Returns a lower bound of the half distance over a triangle, 30 fraction bits. That of N·H follows from
   /// highest_over(), that of R·V as follows.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/numbers/reciprocal.hpp>
-#include <arcspan/target.hpp>
 
 namespace arcspan {
 

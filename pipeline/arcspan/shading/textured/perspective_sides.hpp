@@ -13,12 +13,13 @@
 /// How much of a texture a pixel covers in perspective, for the choice of the mip level.
 namespace arcspan {
 
-/// The sides of the rectangle of the texture that a pixel covers, where the raw value of 1/w is q: along a
-/// line of equal depth 1/q of what it is for a q of 1, across such lines 1/q^2. Towards the horizon a pixel
-/// covers much of a floor's length and little of its width. All are binary logarithms with 8 fraction bits.
+/// A pixel covers about a rectangle of the texture. With q the raw value of 1/w, its side along a line of
+/// equal depth is A/q texels of level 0, the other B/q^2; A and B hold for the whole triangle. Towards the
+/// horizon a pixel covers much of a floor's length and little of its width. All are binary logarithms with 8
+/// fraction bits.
 struct PerspectiveSides {
-  std::int32_t log_along;   ///< in texels of level 0, for a q of 1
-  std::int32_t log_across;  ///< the same
+  std::int32_t log_along;   ///< of A
+  std::int32_t log_across;  ///< of B
 
   /// The longer side.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t log_longer(std::int32_t log_q) const {
@@ -37,14 +38,14 @@ namespace detail {
   return longer + (to_512 > 0 ? (to_512 * to_512) >> 11 : 0);
 }
 
-/// The changes of a quantity from a triangle's top to its middle and to its bottom, which are these times
-/// 2^shift. They have 14 bits and a sign.
+/// The changes of a quantity from a triangle's top to its middle and to its bottom, each as 14 bits and a
+/// sign, to be multiplied by 2^shift.
 struct CornerChanges {
   std::int32_t to_middle;
   std::int32_t to_bottom;
   int shift;
 
-  /// They differ by less than 2^31.
+  /// The values differ by less than 2^31.
   constexpr CornerChanges(std::int32_t top, std::int32_t middle, std::int32_t bottom) {
     const std::int32_t m = wrap_sub(middle, top);
     const std::int32_t b = wrap_sub(bottom, top);
@@ -53,9 +54,9 @@ struct CornerChanges {
     to_bottom = b >> shift;
   }
   [[nodiscard]] constexpr bool are_zero() const { return (to_middle | to_bottom) == 0; }
-  /// log2 of the area that the triangle has if this is x and `other`, with a shift of 0, is y; 8 fraction
-  /// bits.
-  [[nodiscard]] constexpr std::int32_t log_area(const CornerChanges& other) const {
+  /// log2 of the cross product with other changes, without their shift: twice the area of the triangle whose
+  /// corners have these two quantities as x and y. 8 fraction bits.
+  [[nodiscard]] constexpr std::int32_t log_cross(const CornerChanges& other) const {
     return low_log2(magnitude(to_middle * other.to_bottom - to_bottom * other.to_middle)) + 256 * shift;
   }
 };
@@ -78,11 +79,11 @@ template <class Frame>
   const CornerChanges x(a.x, b.x, c.x);
   const CornerChanges y(a.y, b.y, c.y);
   CornerChanges depth(q[0], q[1], q[2]);
-  if (depth.are_zero()) depth = y;  // each line is of equal depth; take the rows
-  const std::int32_t slope = log_of_hypotenuse(x.log_area(depth), y.log_area(depth));
+  if (depth.are_zero()) depth = y;  // any line is of equal depth: take the rows
+  const std::int32_t slope = log_of_hypotenuse(x.log_cross(depth), y.log_cross(depth));
   const std::int32_t along =
-      log_of_hypotenuse(CornerChanges(u[0], u[1], u[2]).log_area(depth) + 256 * u_bits,
-                        CornerChanges(v[0], v[1], v[2]).log_area(depth) + 256 * v_bits) -
+      log_of_hypotenuse(CornerChanges(u[0], u[1], u[2]).log_cross(depth) + 256 * u_bits,
+                        CornerChanges(v[0], v[1], v[2]).log_cross(depth) + 256 * v_bits) -
       slope + 256 * Subpixel::kFraction;
   for (const std::int32_t corner : q) log_area += low_log2(static_cast<std::uint32_t>(corner));
   return {along, log_area - along};

@@ -227,7 +227,7 @@ class PerspectiveTexture {
     }
     return length;
   }
-  /// Chooses the mip level of a piece in whose middle the logarithm of 1/w is `log_q`.
+  /// Chooses the mip level of a piece. `log_q` is the mean of End::log_q at both ends.
   ARCSPAN_INLINE constexpr void choose_level(std::int32_t log_q) {
     TextureTriangle& t = *triangle_;
     const unsigned chosen = detail::level_of_side(t.size, t.sides.log_longer(log_q));

@@ -53,8 +53,7 @@ struct TexturedPixel {
   }
   [[nodiscard]] constexpr const auto& steps() const { return mapping.steps(); }
 
-  /// A texel under the current pixel's light. What is looked up replaces the part of the light that it stands
-  /// for, which compilers then leave out.
+  /// A texel under the current pixel's light. Compilers leave out the parts of the light that tables give.
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t texel) const {
     if constexpr (Colours == TexelLight::kNone) {

@@ -225,8 +225,8 @@ bool has_room(const Box& box, const Box& needed) {
 }
 
 Box with_margin(const Box& box) {
-  constexpr double kBeside = 0.02;  // of the extent, on each side
-  const Vec3 margin = (box.high - box.low) * kBeside;
+  constexpr double kMarginShare = 0.02;  // of the extent, on each side
+  const Vec3 margin = (box.high - box.low) * kMarginShare;
   return {box.low - margin, box.high + margin};
 }
 

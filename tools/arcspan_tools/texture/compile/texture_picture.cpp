@@ -7,7 +7,7 @@
 namespace arcspan::tools {
 namespace {
 
-constexpr std::int32_t kBetween = 8;
+constexpr std::int32_t kPictureGap = 8;
 
 Image magnified(const Image& image, std::int32_t times) {
   Image out(image.width * times, image.height * times);
@@ -28,13 +28,13 @@ Image before_and_after(const TextureAndLevels& made) {
   const std::int32_t height = picture.height * times;
   const bool has_levels = made.texture.size.levels > 1;
   // Together, the levels below the first are not as high as it is.
-  Image out(2 * width + kBetween + (has_levels ? kBetween + width / 2 : 0), height);
+  Image out(2 * width + kPictureGap + (has_levels ? kPictureGap + width / 2 : 0), height);
   paste(out, shown(picture), 0, 0);
-  paste(out, shown(drawn_level(made.texture, 0)), width + kBetween, 0);
+  paste(out, shown(drawn_level(made.texture, 0)), width + kPictureGap, 0);
   std::int32_t y = 0;
   for (unsigned i = 1; i < made.texture.size.levels; ++i) {
     const Image level = shown(drawn_level(made.texture, i));
-    paste(out, level, 2 * (width + kBetween), y);
+    paste(out, level, 2 * (width + kPictureGap), y);
     y += level.height;
   }
   return out;

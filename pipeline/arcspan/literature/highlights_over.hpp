@@ -66,9 +66,8 @@ struct HighlightsOver {
   /// and r (3 - s_ij) < h_i + h_j + h - m_ij for all edges.
   template <class Light>
   [[nodiscard]] static constexpr std::int32_t nearest_in_triangle(
-      const Light& lit, std::size_t light, std::int32_t reach, const typename Light::Scalars& a,
-      const typename Light::Scalars& b, const typename Light::Scalars& c, std::uint32_t ab, std::uint32_t ac,
-      std::uint32_t bc) {
+      const Light& lit, std::size_t light, const typename Light::Scalars& a, const typename Light::Scalars& b,
+      const typename Light::Scalars& c, std::uint32_t ab, std::uint32_t ac, std::uint32_t bc) {
     if constexpr (Light::kModel == Highlight::kBlinn) {
       const std::size_t other = Light::highlight_index(light);
       const std::uint32_t widest = ab > ac ? (ab > bc ? ab : bc) : ac > bc ? ac : bc;
@@ -98,12 +97,11 @@ struct HighlightsOver {
       const std::int32_t room = wrap_sub(wrap_add(sum, change), (most >> 14) * s);
       return wrap_mul(room >> 14, 10923 + ((s * 7282) >> 15)) >> 1;  // (1 + s/3) / 3 < 1 / (3 - s)
     };
-    // Most triangles that a highlight reaches are found by their vertices.
-    const std::int32_t within = reach >> 2;
+    // Below 0 the bound need not be exact: the highlight is full there.
     std::int32_t nearest = least;
-    if (nearest > within) nearest = lesser(nearest, along(at_a, at_b, ab));
-    if (nearest > within) nearest = lesser(nearest, along(at_a, at_c, ac));
-    if (nearest > within) nearest = lesser(nearest, along(at_b, at_c, bc));
+    if (nearest > 0) nearest = lesser(nearest, along(at_a, at_b, ab));
+    if (nearest > 0) nearest = lesser(nearest, along(at_a, at_c, ac));
+    if (nearest > 0) nearest = lesser(nearest, along(at_b, at_c, bc));
     return wrap_shl(nearest, 2);
   }
 
@@ -132,7 +130,7 @@ struct HighlightsOver {
       const std::uint32_t weight = largest_weight(lit, i);
       weights += weight;
       if (a[i].raw() <= 0 && b[i].raw() <= 0 && c[i].raw() <= 0) continue;
-      const std::int32_t nearest = nearest_in_triangle(lit, i, 0, a, b, c, ab, ac, bc);
+      const std::int32_t nearest = nearest_in_triangle(lit, i, a, b, c, ab, ac, bc);
       if (nearest < bound.nearest) bound.nearest = nearest;
       if (nearest >= lit.power_.half_reach()) continue;
       slopes += lit.may_end(i, a, b, c) ? weight : (weight * lit.highlight_slope(nearest)) >> 15;

@@ -101,9 +101,11 @@ void map_plane(Random& random, double range, MappedTriangle<Method>& triangle) {
     return std::real(std::conj(xy[i] - xy[0]) * (xy[j] - xy[0])) + (w[i] - w[0]) * (w[j] - w[0]);
   };
   const double side = std::sqrt(product(1, 1));
+  if (side == 0) return;  // it has no area
   const double along = product(1, 2) / side;
   std::array<Complex, 3> at{0, side, {along, std::sqrt(std::max(0.0, product(2, 2) - along * along))}};
-  const Complex turn = std::polar(range / std::max(std::abs(at[1]), std::abs(at[2])), random.real(0, 7));
+  const Complex turn =
+      std::polar(range / std::max(std::abs(at[1]), std::abs(at[2])), random.real(-3.1416, 3.1416));
   for (std::size_t i = 0; i < 3; ++i) {
     at[i] *= turn * 65536.0;
     triangle.vertices[i].shade.point = {static_cast<std::int32_t>(at[i].real()),

@@ -74,8 +74,8 @@ unsigned level_of(const Run& run, const Texture<DirectTexels<>>& texture) {
   return level;
 }
 
-/// The level of a pixel in double precision: the logarithm of its longer side in texels, of the longest step
-/// over the texture that a step of one pixel in any direction makes.
+/// The level of a pixel in double precision: log2 of the longest step over the texture, in texels, that a
+/// step of one pixel in any direction makes.
 template <class Method>
 double level_wanted(const MappedTriangle<Method>& triangle, std::int32_t x, std::int32_t y,
                     const TextureSize& size) {

@@ -194,8 +194,8 @@ class PerspectiveTexture {
  private:
   /// An end of a piece.
   struct End {
-    std::int32_t u;  ///< relative, 28 fraction bits
-    std::int32_t v;
+    std::int32_t u;      ///< relative to TextureTriangle::u_origin, 28 fraction bits
+    std::int32_t v;      ///< the same to v_origin
     std::int32_t log_q;  ///< low_log2() of the raw value of 1/w
   };
 
@@ -209,8 +209,8 @@ class PerspectiveTexture {
     return {multiply_high(wrap_shl(u_, zeros - 1), inverse), multiply_high(wrap_shl(v_, zeros - 1), inverse),
             detail::low_log2(q)};
   }
-  /// Returns the length of the next piece. It doubles as long as 1/w is large enough for that: the error in
-  /// texels falls with the cube of 1/w, that in pixels with 1/w.
+  /// Returns the length of the next piece. It is doubled while 1/w is large enough for that: the error in
+  /// texels is as the square of the length over the cube of 1/w, that in pixels as the square over 1/w.
   [[nodiscard]] constexpr std::int32_t length_of_piece(std::int32_t left) const {
     const std::int32_t fall = triangle_->q.dx.raw() < 0 ? triangle_->q.dx.raw() : 0;
     std::int32_t length = triangle_->piece;

@@ -14,14 +14,15 @@ namespace arcspan {
 class SmallLevel {
  public:
   /// Values are 0...65280. `half` is added, so that dropping bits rounds. The raw value of a pixel is off by
-  /// less than 2^21: each of two coordinates by 2^-15 where the row begins, and by 3/4 of that per pixel, 14
-  /// times at most. So with a `half` of 2^22 none is below 0.
+  /// less than 2^18: by 2^16 for each of two coordinates where the row begins, and for the steps. So with a
+  /// `half` of 2^18 or more none is below 0.
   constexpr void prepare(std::int32_t top, std::int32_t middle, std::int32_t bottom, FullLinear half,
                          const SmallTriangle& triangle) {
     at_ = FullLinear::from_raw(wrap_shl(top, FullLinear::kFraction)) + half;
     to_middle_ = middle - top;
     to_bottom_ = bottom - top;
-    step = FullLinear::from_raw(change(triangle.d_middle, triangle.d_bottom));
+    step = FullLinear::from_raw(wrap_shl(triangle.per_pixel(to_middle_, to_bottom_),
+                                         FullLinear::kFraction - SmallTriangle::kStepBits));
   }
   /// The value at the coordinates b and c, which have 16 fraction bits.
   [[nodiscard]] ARCSPAN_INLINE constexpr FullLinear at(std::int32_t b, std::int32_t c) const {

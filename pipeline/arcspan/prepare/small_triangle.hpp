@@ -14,20 +14,29 @@
 /// from the barycentric coordinates of its first pixel (decision 35).
 namespace arcspan {
 
-/// A triangle is small if its vertices are at most this many pixels apart, along x and along y.
-inline constexpr std::int32_t kSmallSize = 15;
+/// Vertices of small triangles are at most this many pixels apart, along x and along y.
+inline constexpr std::int32_t kSmallSize = 32;
 
-/// Returns true if the triangle is small.
+/// Method::kSmallSize of methods that draw larger triangles faster by edges, otherwise kSmallSize.
+template <class Method>
+[[nodiscard]] consteval std::int32_t small_size() {
+  if constexpr (requires { Method::kSmallSize; }) return Method::kSmallSize;
+  return kSmallSize;
+}
+
+/// Returns true if the triangle is small: its vertices are at most small_size() pixels apart, and edge
+/// functions inside of it fit 16 bits.
 template <class Method>
 [[nodiscard]] constexpr bool is_small(const SortedVertices<Method>& vertices) {
   const RasterPosition& a = vertices.top->position;
   const RasterPosition& b = vertices.middle->position;
   const RasterPosition& c = vertices.bottom->position;
-  const std::int32_t most = kSmallSize << Subpixel::kFraction;
-  const auto apart = [&](std::int32_t p, std::int32_t q) {
-    return static_cast<std::uint32_t>(p - q + most) > 2 * static_cast<std::uint32_t>(most);
-  };
-  return c.y - a.y <= most && !apart(a.x, b.x) && !apart(a.x, c.x) && !apart(b.x, c.x);
+  constexpr std::int32_t kFits = 16 << Subpixel::kFraction;  // its square fits
+  constexpr std::int32_t kMost = small_size<Method>() << Subpixel::kFraction;
+  // d, or -d - 1 where d is negative.
+  const auto apart = [](std::int32_t p, std::int32_t q) { return (p - q) ^ ((p - q) >> 31); };
+  const std::int32_t size = apart(a.x, b.x) | apart(a.x, c.x) | apart(b.x, c.x) | (c.y - a.y);
+  return size < kFits || (kMost > kFits && size < kMost && magnitude(doubled_area(a, b, c)) < 65536);
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a
@@ -62,8 +71,10 @@ struct SmallTriangle {
   /// the edge functions where the middle vertex is on the left.
   std::int32_t inverse;
   int shift;
-  std::int32_t d_middle;  ///< change of the middle vertex's coordinate per pixel, 16 fraction bits
-  std::int32_t d_bottom;
+  /// Changes of the coordinates of the middle and the bottom vertex per pixel, times twice the area as it is
+  /// scaled to 2^13...2^14: below 2^14 where two pixels of a row are inside.
+  std::int32_t steep_middle;
+  std::int32_t steep_bottom;
   std::int32_t z;         ///< depth of the top vertex
   std::int32_t z_middle;  ///< depth of the middle vertex less that of the top vertex
   std::int32_t z_bottom;
@@ -78,12 +89,36 @@ struct SmallTriangle {
     return static_cast<std::int32_t>(
         (static_cast<std::uint32_t>(value) * static_cast<std::uint32_t>(inverse)) >> shift);
   }
+  /// Return the changes of coordinates per pixel, 16 fraction bits, rounded.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t d_middle() const {
+    return coordinate_step(steep_middle);
+  }
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t d_bottom() const {
+    return coordinate_step(steep_bottom);
+  }
+  /// Fraction bits that per_pixel() adds.
+  static constexpr int kStepBits = 12;
+  /// Returns the change per pixel of what is by these larger at the middle and at the bottom vertex than at
+  /// the top one. It is below 2^16 without its kStepBits, and off by less than 2^-15 of it and one unit, so
+  /// that errors of steps do not add up along a row.
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t per_pixel(std::int32_t to_middle,
+                                                                std::int32_t to_bottom) const {
+    const std::int32_t sum = wrap_add(wrap_mul(to_middle, steep_middle), wrap_mul(to_bottom, steep_bottom));
+    if constexpr (kHasLongMultiply) return multiply_high(sum, wrap_shl(inverse, 15));
+    return wrap_add(wrap_mul(sum >> 15, inverse), wrap_mul(sum & 0x7FFF, inverse) >> 15) >>
+           2;  // the same bits
+  }
   /// Returns the depth at the coordinates of the middle and of the bottom vertex. It is within 7 steps of
   /// depth of the plane through the vertices and never outside of their depths.
   [[nodiscard]] ARCSPAN_INLINE constexpr Linear depth(std::int32_t middle, std::int32_t bottom) const {
     const std::int32_t part =
         wrap_add(wrap_mul(z_middle, middle >> 1), wrap_mul(z_bottom, bottom >> 1));  // 15 fraction bits
     return Linear::from_raw((z << Linear::kFraction) + (part >> (15 - Linear::kFraction)));
+  }
+
+ private:
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t coordinate_step(std::int32_t steep) const {
+    return round_shift(wrap_mul(steep, inverse), 13);
   }
 };
 
@@ -253,21 +288,16 @@ constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPos
   const std::uint32_t wide = detail::wide_reciprocal_mantissa(size << zeros);
   // Reduced by more than its error, so that no product with an edge function exceeds 1.
   const auto narrow = static_cast<std::int32_t>((wide - 16u) >> 15);
-  const auto inverse = static_cast<std::int32_t>(wide - (wide >> 31));
   triangle.inverse = area < 0 ? -narrow : narrow;
   triangle.shift = 31 - zeros;
   triangle.z = top.z;
   triangle.z_middle = std::int32_t{middle.z} - top.z;
   triangle.z_bottom = std::int32_t{bottom.z} - top.z;
-  // Steps are only used where two pixels of a row are inside. There no coordinate changes by more than 1 and
-  // the depth by no more than 2^16 per pixel; elsewhere they may wrap.
-  const std::int32_t half = (std::int32_t{1} << triangle.shift) >> 1;
-  triangle.d_middle = wrap_add(wrap_mul(triangle.of_middle.dx, triangle.inverse), half) >> triangle.shift;
-  triangle.d_bottom = wrap_add(wrap_mul(triangle.of_bottom.dx, triangle.inverse), half) >> triangle.shift;
-  const std::int32_t across =
-      triangle.z_middle * triangle.of_middle.dx + triangle.z_bottom * triangle.of_bottom.dx;  // 16 times
-  triangle.dz = Linear::from_raw(multiply_high(wrap_shl(across >> 2, Linear::kFraction + 3 - triangle.shift),
-                                               area < 0 ? -inverse : inverse));
+  // Steps are only used where two pixels of a row are inside. There no coordinate changes by more than 1 per
+  // pixel; elsewhere they may wrap.
+  triangle.steep_middle = wrap_shl(dy, 17 - triangle.shift);
+  triangle.steep_bottom = wrap_shl(-short_dy, 17 - triangle.shift);
+  triangle.dz = Linear::from_raw(triangle.per_pixel(triangle.z_middle, triangle.z_bottom));
 }
 
 }  // namespace arcspan

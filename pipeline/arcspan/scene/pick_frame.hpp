@@ -42,6 +42,13 @@ struct PickSink {
   [[nodiscard]] static Status close(const Span&) { return Status::kOk; }
 };
 
+/// Unlit with the small triangles of another method.
+template <std::int32_t SmallSize>
+struct PickMethod : Unlit {
+  using DrawsSmallTrianglesAs = PickMethod;
+  static constexpr std::int32_t kSmallSize = SmallSize;
+};
+
 /// The arguments by which pick() draws a triangle.
 struct PickCall {
   const SceneSlot& slot;
@@ -55,7 +62,7 @@ template <class Used>
 [[nodiscard]] Status draw_unshaded(const PickCall& call, const MeshView& triangle) {
   using Method = typename Used::Method;
   constexpr bool kSmall = Used::kFeatures.small_triangles && DrawsSmallTriangles<Method>;
-  using Plain = std::conditional_t<DrawsEdges<Method>, Wireframe<>, Unlit>;
+  using Plain = std::conditional_t<DrawsEdges<Method>, Wireframe<>, PickMethod<small_size<Method>()>>;
   constexpr DrawFeatures kFeatures{
       .clips = Used::kFeatures.clips, .planes = false, .small_triangles = kSmall};
   typename Plain::Lighting lighting{};

@@ -17,6 +17,7 @@ struct Flat {
   struct Vertex {};
   using Prepared = PackedRgb;
   using DrawsSmallTrianglesAs = Flat;
+  static constexpr std::int32_t kSmallSize = 16;
   static constexpr bool kNeedsFaceNormal = true;
 
   [[nodiscard]] static Vertex shade_vertex(const Lighting&, const Direction&) { return {}; }

@@ -30,7 +30,7 @@ class SmallPlanes {
     to_b_[i] = (b.raw() >> kDropped) - (a.raw() >> kDropped);
     to_c_[i] = (c.raw() >> kDropped) - (a.raw() >> kDropped);
     slope_[i] = Cosine::from_raw(
-        wrap_add(wrap_mul(to_b_[i] >> 1, triangle.d_middle), wrap_mul(to_c_[i] >> 1, triangle.d_bottom)));
+        wrap_shl(triangle.per_pixel(to_b_[i], to_c_[i]), kDropped - SmallTriangle::kStepBits));
   }
   /// Starts the steps of a row at the coordinates b and c, 16 fraction bits.
   template <std::size_t Used>
@@ -67,8 +67,8 @@ class SmallMissing {
     twist_ = narrowed(chords.middle_bottom) - ab_ - ac_;
     // All bits count, because every pixel of a row adds the errors of these again. Sums of products may wrap,
     // unlike the differences of e, which they end in.
-    const std::int32_t db = triangle.d_middle;
-    const std::int32_t dc = triangle.d_bottom;
+    const std::int32_t db = triangle.d_middle();
+    const std::int32_t dc = triangle.d_bottom();
     const std::int32_t ab_by_db = fine(wrap_mul(ab_, db));
     const std::int32_t ac_by_dc = fine(wrap_mul(ac_, dc));
     const std::int32_t twist_by_dc = fine(wrap_mul(twist_, dc));

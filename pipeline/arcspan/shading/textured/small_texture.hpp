@@ -72,12 +72,14 @@ struct SmallTexture : TextureLevel {
     const detail::Extent w(top.near_over_w.value, middle.near_over_w.value, bottom.near_over_w.value);
     if constexpr (Steps::kHasBorders)
       spare_bits = detail::spare_bits_of(at, middle.shade.point, bottom.shade.point);
-    // A ratio of 3/2 moves texels by less than two pixels of 15.
-    if (w.range() > static_cast<std::uint32_t>(w.least) >> 1) return false;
+    // A ratio of 5/4 moves texels by less than two pixels of 32.
+    if (w.range() > static_cast<std::uint32_t>(w.least) >> 2) return false;
+    const std::int32_t db = triangle.d_middle();
+    const std::int32_t dc = triangle.d_bottom();
     u.prepare(to_middle.u, to_bottom.u);
     v.prepare(to_middle.v, to_bottom.v);
-    const std::int32_t du = u.change(triangle.d_middle, triangle.d_bottom, *this);
-    const std::int32_t dv = v.change(triangle.d_middle, triangle.d_bottom, *this);
+    const std::int32_t du = u.change(db, dc, *this);
+    const std::int32_t dv = v.change(db, dc, *this);
     unsigned level = 0;
     if (size.levels != 1) {
       const std::int32_t area = doubled_area(top.position, middle.position, bottom.position);
@@ -114,8 +116,8 @@ struct SmallTexture : TextureLevel {
   /// level_for() by steps that do not wrap, for u or v that may range over half a repetition.
   [[nodiscard]] ARCSPAN_OUTLINE constexpr unsigned wide_level(const TextureSize& size, std::int32_t log_area,
                                                               const SmallTriangle& triangle) const {
-    return detail::level_for(size, log_area, u.wide_change(triangle.d_middle, triangle.d_bottom),
-                             v.wide_change(triangle.d_middle, triangle.d_bottom),
+    return detail::level_for(size, log_area, u.wide_change(triangle.d_middle(), triangle.d_bottom()),
+                             v.wide_change(triangle.d_middle(), triangle.d_bottom()),
                              SmallCoordinate<Steps>::kWideBits);
   }
 };

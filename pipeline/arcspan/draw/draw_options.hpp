@@ -30,9 +30,8 @@ struct DrawFeatures {
   /// Culls by the face planes of a mesh that has them. Off: backs are culled after their vertices are
   /// transformed, which gives the same pixels.
   bool planes = true;
-  /// Draws triangles of up to 15x15 pixels without edges and planes, where the method can
-  /// (DrawsSmallTriangles). Off: they are drawn as large ones, whose pixels may differ within the method's
-  /// accuracy.
+  /// Draws small triangles (prepare/small_triangle.hpp) without edges and planes, where the method can. Off:
+  /// they are drawn as large ones, whose pixels may differ within the method's accuracy.
   bool small_triangles = true;
 };
 

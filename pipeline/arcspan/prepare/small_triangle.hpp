@@ -17,7 +17,7 @@ namespace arcspan {
 /// Vertices of small triangles are at most this many pixels apart, along x and along y.
 inline constexpr std::int32_t kSmallSize = 32;
 
-/// Method::kSmallSize of methods that draw larger triangles faster by edges, otherwise kSmallSize.
+/// Method::kSmallSize, 16 or 32, of a method that has it, otherwise kSmallSize.
 template <class Method>
 [[nodiscard]] consteval std::int32_t small_size() {
   if constexpr (requires { Method::kSmallSize; }) return Method::kSmallSize;

@@ -128,7 +128,8 @@ concept TakesVertexData = requires(const MeshView& mesh, std::size_t i, typename
 /// returns false if the triangle has to be drawn by a TriangleCommand. walk_small(small, draw) calls `draw`
 /// with a surface and returns its status. The surface's row(y, middle, bottom) returns the run (PixelRun) of
 /// a row: `y` is the row's centre line (28.4), `middle` and `bottom` are the barycentric coordinates of its
-/// first pixel, 16 fraction bits.
+/// first pixel, 16 fraction bits. A method that draws triangles above 16 pixels faster by a TriangleCommand
+/// has `static constexpr std::int32_t kSmallSize = 16` (Flat).
 template <class M>
 concept DrawsSmallTriangles = std::same_as<typename M::DrawsSmallTrianglesAs, M>;
 

@@ -51,7 +51,7 @@ namespace detail {
 /// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows in groups
 /// of 2^bits.
 template <class Method>
-[[nodiscard]] TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
+[[nodiscard]] ARCSPAN_INLINE inline TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
                                    const CachedVertex<Method>& c, std::int32_t height, int bits,
                                    bool two_sided) {
   if (is_culled(a, b, c, two_sided)) return TriangleRows::culled();

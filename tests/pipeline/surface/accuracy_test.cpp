@@ -66,7 +66,7 @@ TEST_CASE("without tolerance Arc is within the limits: the largest triangles") {
 }
 
 TEST_CASE("without tolerance Arc is within the limits: small triangles") {
-  check_limits<Highlight::kPhong>({.smallest = 0.3, .largest = 12, .slivers = 0.1}, 6000, 4);
+  check_limits<Highlight::kPhong>({.smallest = 0.3, .largest = 36, .slivers = 0.1}, 6000, 4);
 }
 
 TEST_CASE("without tolerance Arc is within the limits: slivers") {

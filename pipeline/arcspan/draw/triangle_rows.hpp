@@ -51,9 +51,10 @@ namespace detail {
 /// Returns the rows of a triangle with these transformed vertices, for a picture of `height` rows in groups
 /// of 2^bits.
 template <class Method>
-[[nodiscard]] ARCSPAN_INLINE inline TriangleRows rows_of(const CachedVertex<Method>& a, const CachedVertex<Method>& b,
-                                   const CachedVertex<Method>& c, std::int32_t height, int bits,
-                                   bool two_sided) {
+[[nodiscard]] ARCSPAN_INLINE inline TriangleRows rows_of(const CachedVertex<Method>& a,
+                                                         const CachedVertex<Method>& b,
+                                                         const CachedVertex<Method>& c, std::int32_t height,
+                                                         int bits, bool two_sided) {
   if (is_culled(a, b, c, two_sided)) return TriangleRows::culled();
   if (!are_inside(a, b, c)) return TriangleRows::any();
   const RasterPosition& p = a.raster.position;

@@ -16,6 +16,9 @@ namespace arcspan {
 
 /// Vertices of small triangles are at most this many pixels apart, along x and along y.
 inline constexpr std::int32_t kSmallSize = 32;
+/// Twice the largest area of a small triangle, 96 square pixels, in 256ths. Larger ones are drawn faster by
+/// edges, on Armv6-M above all.
+inline constexpr std::uint32_t kSmallDoubledArea = std::uint32_t{2} * 96 * 256;
 
 /// Method::kSmallSize, 16 or 32, of a method that has it, otherwise kSmallSize.
 template <class Method>
@@ -24,19 +27,20 @@ template <class Method>
   return kSmallSize;
 }
 
-/// Returns true if the triangle is small: its vertices are at most small_size() pixels apart, and edge
-/// functions inside of it fit 16 bits.
+/// Returns true if the triangle is small: its vertices are at most small_size() pixels apart, and if they may
+/// be more than 16 pixels apart, its area is that of a small triangle.
 template <class Method>
 [[nodiscard]] constexpr bool is_small(const SortedVertices<Method>& vertices) {
   const RasterPosition& a = vertices.top->position;
   const RasterPosition& b = vertices.middle->position;
   const RasterPosition& c = vertices.bottom->position;
-  constexpr std::int32_t kFits = 16 << Subpixel::kFraction;  // its square fits
+  constexpr std::int32_t kFits = 16 << Subpixel::kFraction;  // whatever the area
   constexpr std::int32_t kMost = small_size<Method>() << Subpixel::kFraction;
   // d, or -d - 1 where d is negative.
   const auto apart = [](std::int32_t p, std::int32_t q) { return (p - q) ^ ((p - q) >> 31); };
   const std::int32_t size = apart(a.x, b.x) | apart(a.x, c.x) | apart(b.x, c.x) | (c.y - a.y);
-  return size < kFits || (kMost > kFits && size < kMost && magnitude(doubled_area(a, b, c)) < 65536);
+  return size < kFits ||
+         (kMost > kFits && size < kMost && magnitude(doubled_area(a, b, c)) < kSmallDoubledArea);
 }
 
 /// The edge function of an edge: twice the area of the triangle between the edge and a point, in 256ths of a

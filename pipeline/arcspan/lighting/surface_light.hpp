@@ -78,7 +78,9 @@ constexpr void Illumination<Lights, Model, Features>::set_limits() {
   constexpr std::uint32_t kTurns = Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N
   light_height_ = most_light();
   sharpness_ = (highlight_height_ * shininess_ * kTurns) >> 6;  // below 2^20
-  allowed_light_ = 12 * (detail::kExactEnough + more);
+  // Between normals that are 60 degrees apart planes are off by 1.7 times what light_over() takes.
+  const std::uint32_t wide = ((32 + more) * 10 + 8) / 17;
+  allowed_light_ = 12 * (detail::kExactEnough + more < wide ? detail::kExactEnough + more : wide);
   allowed_highlight_ = 12 * (detail::kHighlightError + more);
   const std::uint32_t exact = (detail::kExactEnough * light_height_) / (255u << 5);
   widest_diffuse_ = detail::limit_at_error(detail::kWidestExact, exact, detail::kExactEnough + more);
@@ -136,8 +138,9 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(
 }
 
 /// The linear normal is shorter than 1 by at most e/2, where e is at most a third of the widest squared chord
-/// s: by s/6. Planes are off by half of that, because all values are lengthened by the other half. So N·L is
-/// off by s/12 of its largest value, the cosine of a highlight by s/3 by R·V, and by s/12 by N·H.
+/// s: by s/6, if s is small. Planes are off by half of that, because all values are lengthened by the other
+/// half. So N·L is off by s/12 of its largest value, the cosine of a highlight by s/3 by R·V, and by s/12 by
+/// N·H.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const Scalars& a, const Scalars& b,
                                                                           const Scalars& c,

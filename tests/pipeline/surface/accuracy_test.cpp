@@ -4,6 +4,11 @@
 #include <tests/support/surface_accuracy.hpp>
 #include <tests/support/test_share.hpp>
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
 using namespace arcspan;
 using namespace arcspan::test;
 
@@ -85,6 +90,35 @@ TEST_CASE("with a tolerance Arc is within the limits and the tolerance") {
       check(measure<Highlight::kPhong>({}, limits, tolerance, 800, seed), limits, tolerance);
       check(measure<Highlight::kBlinn>({}, limits, tolerance, 800, seed), limits, tolerance);
     }
+  }
+}
+
+// Between such normals the linear one is the shortest, and planes are the furthest off.
+TEST_CASE("N·L is within the tolerance between normals that are equally far from the light") {
+  Random random(9);
+  for (const std::int32_t tolerance : {0, 1, 4, 16, 64}) {
+    CAPTURE(tolerance);
+    SurfaceMeasurement<Highlight::kPhong> measurement;
+    for (int i = 0; i < share_of(1000); ++i) {
+      SurfaceCase c = random_surface(random, {.largest = 60, .slivers = 0});
+      const Vec3 light = random_unit(random);
+      const Vec3 side = normalised(cross(light, random_unit(random)));
+      const Vec3 other = cross(light, side);
+      const double tilt = radians(random.real(0, 34.5));
+      const double turn = random.real(0, 2 * std::numbers::pi);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double at = turn + static_cast<double>(k) * 2 * std::numbers::pi / 3;
+        c.normals[k] = arcspan::test::detail::packed(
+            std::cos(tilt) * light + std::sin(tilt) * (std::cos(at) * side + std::sin(at) * other));
+      }
+      c.to_light = to_direction(light);
+      c.to_eye = to_direction(tilted(random, light, radians(random.real(0, 120))));
+      c.tolerance = tolerance;
+      measurement.measure(c);
+    }
+    INFO("N·L: " << measurement.errors.light_case);
+    CHECK(measurement.errors.pixels > 0);
+    CHECK(measurement.errors.light <= 1 + tolerance);
   }
 }
 

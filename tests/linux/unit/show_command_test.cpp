@@ -39,6 +39,7 @@ TEST_CASE("show names a mistake in one line") {
        "arcspan: /dev/null: is not an SPI device: Inappropriate ioctl for device\n"},
       {"sphere:8x4 --device /dev/fb0 --turntable 1.5", 2,
        "arcspan: --turntable: Value 1.5 not in range 0 to 3600\n"},
+      {"sphere:8x4 --device /dev/fb0 --fps 10", 2, "arcspan: --fps: needs --turntable or --clip\n"},
       {"none.obj --device /dev/fb0", 1, "arcspan: none.obj: cannot read (no such file)\n"},
       {"sphere:8x4 --device /dev/fb4711", 1,
        "arcspan: /dev/fb4711: cannot be opened: No such file or directory\n"},

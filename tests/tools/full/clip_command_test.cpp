@@ -2,6 +2,7 @@
 // Clips in `arcspan render`, `turntable` and `mesh`, as a user runs them.
 #include <arcspan/mesh/crc32.hpp>
 
+#include <arcspan_tools/command/played_model.hpp>
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/image/image_file.hpp>
 #include <catch2/catch.hpp>
@@ -84,6 +85,21 @@ TEST_CASE("turntable plays a clip") {
   REQUIRE(played.status == 0);
   CHECK(played.err.empty());
   CHECK(read_image(folder / "still/frame-0002.png") != read_image(folder / "played/frame-0002.png"));
+}
+
+// As `arcspan show --clip` without --turntable takes them.
+TEST_CASE("without a number of pictures a clip has those that its length takes") {
+  const TemporaryFolder folder;
+  RenderOptions options;
+  options.mesh = bending(folder, 1.5);
+  CHECK(PlayedModel(options, 0, 10).frames() == 1);
+  options.clip = "bend";
+  CHECK(PlayedModel(options, 4, 10).frames() == 4);
+  PlayedModel played(options, 0, 10);
+  REQUIRE(played.frames() == 15);
+  const FixedMesh at_rest = played.frame(0).meshes[0];
+  CHECK(played.frame(7).meshes[0].positions != at_rest.positions);  // bent by 70 degrees after half the time
+  CHECK(played.frame(0).meshes[0].positions == at_rest.positions);
 }
 
 TEST_CASE("a model binary is posed as the file that it was made of") {

@@ -9,13 +9,15 @@
 
 namespace arcspan::tools {
 
-/// The model that options ask for in each picture of a turn: always the same, or with --clip at times of a
+/// The model that options ask for in each picture: always the same, or with --clip at times of a
 /// clip.
 class PlayedModel {
  public:
-  /// Loads the model by load_drawn_model() of `options`, which must outlive the object, for so many pictures
-  /// that take so many seconds.
-  PlayedModel(RenderOptions& options, std::size_t frames, double seconds);
+  /// Loads the model by load_drawn_model() of `options`, which must outlive the object, for so many pictures,
+  /// or with 0 for those that the clip takes; one without --clip.
+  PlayedModel(RenderOptions& options, std::size_t frames, double frames_per_second);
+
+  [[nodiscard]] std::size_t frames() const { return clip_ ? clip_->size() : 1; }
 
   /// The model in a picture, until the next call.
   [[nodiscard]] const FixedModel& frame(std::size_t frame);

@@ -75,10 +75,6 @@ Clock::duration to_duration(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-std::size_t pictures_of(const ShowArguments& arguments) {
-  return static_cast<std::size_t>(std::max(arguments.turntable, 1));
-}
-
 // Draws and shows frames until the time is over or a signal comes, which is returned (0 for none).
 class Show {
  public:
@@ -89,8 +85,9 @@ class Show {
         signals_(signals),
         renderer_(
             find_renderer(arguments.options.shading, arguments.options.format, arguments.options.dither)),
-        pictures_(pictures_of(arguments)),
-        turntable_(arguments.options.scene, model.extent(), pictures_) {}
+        still_(arguments.turntable == 0),
+        pictures_(still_ ? model.frames() : static_cast<std::size_t>(arguments.turntable)),
+        turntable_(arguments.options.scene, model.extent(), still_ ? 1 : pictures_) {}
 
   [[nodiscard]] int run() {
     const Clock::time_point begin = Clock::now();
@@ -98,7 +95,7 @@ class Show {
         arguments_.seconds > 0 ? begin + to_duration(arguments_.seconds) : Clock::time_point::max();
     show_frame();
     announce();
-    if (arguments_.turntable == 0) return hold(end);
+    if (!moves()) return hold(end);
     Clock::time_point next = Clock::now();
     while (true) {
       // A frame that took too long moves those after it.
@@ -111,9 +108,11 @@ class Show {
   [[nodiscard]] const ShowStatistics& statistics() const { return statistics_; }
 
  private:
+  [[nodiscard]] bool moves() const { return !still_ || pictures_ > 1; }
+
   void show_frame() {
     const std::size_t picture = static_cast<std::size_t>(statistics_.frames) % pictures_;
-    const Scene scene = arguments_.turntable == 0 ? arguments_.options.scene : turntable_.scene(picture);
+    const Scene scene = moves() ? turntable_.scene(still_ ? 0 : picture) : arguments_.options.scene;
     const Clock::time_point begin = Clock::now();
     RenderJob job = make_job(scene, model_.frame(picture), arguments_.options.mesh);
     job.counts = false;
@@ -141,7 +140,8 @@ class Show {
   Display& display_;
   linux_host::SignalWatch& signals_;
   const Renderer& renderer_;
-  std::size_t pictures_;  ///< a turn
+  bool still_;            ///< the camera does not turn
+  std::size_t pictures_;  ///< of a turn, or of a clip
   Turntable turntable_;
   ShowStatistics statistics_;
 };
@@ -173,8 +173,7 @@ int show_until_stopped(ShowArguments& arguments, PlayedModel& model) {
 
 void run_show(ShowArguments arguments) {
   // If the mesh cannot be loaded, the display is not opened.
-  const std::size_t pictures = pictures_of(arguments);
-  PlayedModel model(arguments.options, pictures, static_cast<double>(pictures) / arguments.fps);
+  PlayedModel model(arguments.options, static_cast<std::size_t>(arguments.turntable), arguments.fps);
   const int signal = show_until_stopped(arguments, model);
   if (signal == 0) return;
   (void)std::raise(signal);  // ends as others do, so that a shell or a service manager sees why
@@ -190,10 +189,8 @@ void check_used(const CLI::App& show, const ShowArguments& arguments) {
     }
   }
   check_clip(show);
-  for (const char* option : {"--fps", "--clip"}) {
-    if (show.count(option) != 0 && arguments.turntable == 0)
-      throw CLI::ValidationError(option, "needs --turntable");
-  }
+  if (show.count("--fps") != 0 && show.count("--clip") == 0 && arguments.turntable == 0)
+    throw CLI::ValidationError("--fps", "needs --turntable or --clip");
 }
 
 }  // namespace
@@ -219,7 +216,7 @@ void add_show_command(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(0, 3600));
   add_clip(*show, arguments->options.clip);
-  show->add_option("--fps", arguments->fps, "most pictures a second of a turntable (default 30)")
+  show->add_option("--fps", arguments->fps, "most pictures a second of a turn or a clip (default 30)")
       ->type_name("0.1...1000")
       ->check(number_range(0.1, 1000, "0.1...1000"));
   show->add_option("--seconds", arguments->seconds, "stop after this time (default 0: never)")

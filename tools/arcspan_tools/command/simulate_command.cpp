@@ -156,7 +156,8 @@ Totals show_all(const SimulateArguments& arguments, SimulatedDisplay& display, G
   if (options.curved_outlines && !options.has_outlines())
     warn("--curved-outlines", "has no effect: outlines are neither smoothed nor inked");
   options.scene.outlines.smooth = options.smooths();
-  PlayedModel played(options, static_cast<std::size_t>(arguments.frames), kTurnMilliseconds / 1000.0);
+  PlayedModel played(options, static_cast<std::size_t>(arguments.frames),
+                     arguments.frames * 1000.0 / kTurnMilliseconds);
   FixedModel planed = played.frame(0);
   for (FixedMesh& mesh : planed.meshes) {
     if (arguments.planes) mesh = with_planes(std::move(mesh), options.mesh);

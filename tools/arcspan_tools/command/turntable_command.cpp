@@ -43,8 +43,7 @@ void run_turntable(TurntableArguments& arguments) {
   const FrameFormat format = format_of(arguments);
   check_results({arguments.output}, {options.mesh, options.texture, options.matcap});
   const std::unique_ptr<FrameOutput> output = make_frame_output(arguments.output, format);
-  const double seconds = static_cast<double>(format.frames) / arguments.frames_per_second;
-  PlayedModel model(options, format.frames, seconds);
+  PlayedModel model(options, format.frames, arguments.frames_per_second);
   const Renderer& renderer = find_renderer(options.shading, options.format, options.dither);
   const Turntable turntable(options.scene, model.extent(), format.frames);
   Progress progress("drawing", format.frames);

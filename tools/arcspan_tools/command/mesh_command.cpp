@@ -264,8 +264,8 @@ std::optional<ClipOptions> parse_clip_tolerance(const std::string& text) {
 void add_clip_tolerance(CLI::App& mesh, ClipOptions& clips) {
   add_parsed<ClipOptions>(
       mesh, "--clip-tolerance", "DEGREES,SHARE",
-      "leave out keys of clips as long as each node is within so many degrees and this share of the model's "
-      "extent (default: the file's keys)",
+      "leave out keys of clips as long as each node, on its own, is within so many degrees and this share of "
+      "the model's extent (default: the file's keys); the report says what they add up to",
       "two numbers, 0...90 and 0...1", parse_clip_tolerance, [&clips](const ClipOptions& o) { clips = o; });
 }
 

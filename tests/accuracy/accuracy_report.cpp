@@ -69,7 +69,7 @@ void print_page(int triangles) {
       "|---|---|---|---|\n"
       "| N·L | 0.2 steps (all but 0.03 %) | 1 step (0.35) | 1 step (0.21) |\n"
       "| highlight, n = 16 | 3 steps | 13 steps (4.5) | 13 steps (9.0) |\n"
-      "| highlight, n = 64 | 8 steps (all but 0.002 %) | 40 steps (13.2) | 40 steps (15.9) |\n"
+      "| highlight, n = 64 | 8 steps (all but 0.002 %) | 40 steps (12.2) | 40 steps (15.9) |\n"
       "| with tolerance t, 1 to 64 | t steps more | t steps more | t steps more |\n\n"
       "* *Limits of the orders.* A linear or quadratic surface may add 0.2 steps to N·L and 1.4 to a "
       "highlight\n"

@@ -87,7 +87,7 @@ void print_page(int triangles) {
       "* *Several lights.* Errors of their highlights add up. Where those of two lights coincide (diffuse "
       "0.2, "
       "specular 0.4,\n"
-      "  normals up to 30° apart), colours are within 3.5 steps, with n = 64 within 4.5, half a step of "
+      "  normals up to 30° apart), colours are within 3.5 steps, with n = 64 within 5.5, half a step of "
       "rounding included\n"
       "  (`two_lights_test.cpp`).\n\n"
       "Coverage is exact ([decision 1](decisions/0001-exact-edges.md)). The limits are asserted by "

@@ -5,8 +5,8 @@
 
 extern const arcspan_model ball;
 
-const uint32_t lvgl_frame_hashes[LVGL_FRAMES] = {2617913412u, 3615355531u, 2708509399u, 1652842171u,
-                                                 380918060u};
+const uint32_t lvgl_frame_hashes[LVGL_FRAMES] = {454672327u, 795726194u, 2303394093u, 2774681068u,
+                                                 2957791483u};
 
 enum { kWidth = 320, kHeight = 240, kRows = 40, kMost = 32 };
 

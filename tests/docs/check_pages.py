@@ -9,6 +9,7 @@
   "Removed: ..." of their index.
 * A link whose text is a symbol, [`Type::member`](file), leads to a source file that has its words.
 * The number of test cases on README.md is that of tests/, rounded down to a hundred.
+* Pictures (PNG) have no transparent pixels, through which a browser would show the page.
 * In the table "Where to change what" of docs/README.md no cell is longer than CELL columns as it is shown: two lines.
 """
 
@@ -43,6 +44,12 @@ def links(page):
             continue
         path, _, fragment = target.partition("#")
         yield target, (page.parent / path).resolve() if path else page, fragment
+
+
+def is_transparent(picture):
+    """True if a PNG file has alpha: by its colour type, or by a chunk that gives colours alpha."""
+    content = picture.read_bytes()
+    return picture.suffix == ".png" and (content[25] in (4, 6) or b"tRNS" in content[:content.index(b"IDAT")])
 
 
 def long_lines(page):
@@ -113,6 +120,8 @@ def main():
                 wrong.append(f"{name}: link to {target}: no such heading")
             else:
                 leads_to[page].add(path)
+                if path.is_file() and is_transparent(path):
+                    wrong.append(f"{name}: {target} has transparent pixels")
         wrong += [f"{name}: {line}" for line in (*long_lines(page), *symbols(page))]
     wrong += test_cases(tree)
     wrong += decisions(tree / "docs/decisions")

@@ -167,7 +167,7 @@ TEST_CASE("no pixel shows a point of the texture more than half a texel away") {
   CHECK(texels(largest_errors<Plain>(4, count, 240, 40, 1000, 8, 5)) <= 0.5);
   CHECK(texels(largest_errors<Plain>(5, count, 240, 4, 2000, 10, 10)) <= 0.5);
   // Small ones, and slivers of a pixel.
-  CHECK(texels(largest_errors<Plain>(6, 10 * count, 12, 4, 200, 7, 7)) <= 0.5);
+  CHECK(texels(largest_errors<Plain>(6, 10 * count, 30, 4, 200, 7, 7)) <= 0.5);
   CHECK(texels(largest_errors<Plain>(7, count / 4, 1000, 3, 500, 7, 7)) <= 0.5);
   CHECK(texels(largest_errors<Plain>(8, count / 4, 1000, 1, 1000, 10, 3)) <= 0.5);
 }
@@ -201,9 +201,9 @@ TEST_CASE("where texels are larger than pixels, none is shown more than two pixe
       const MappedTriangle<Plain> large = random_triangle<Plain>(random, 240, ratio, 1);
       worst = std::max(worst, pixels_off(large, kBits,
                                          [&](auto&& check) { for_each_pixel(large, lighting, 240, check); }));
-      const MappedTriangle<Plain> few = random_triangle<Plain>(random, 12, ratio, 0.25);
+      const MappedTriangle<Plain> few = random_triangle<Plain>(random, 30, ratio, 0.25);
       small = std::max(small, pixels_off(few, kBits, [&](auto&& check) {
-                         for_each_small_pixel(few, lighting, 12, check);
+                         for_each_small_pixel(few, lighting, 30, check);
                        }));
     }
     CAPTURE(ratio);

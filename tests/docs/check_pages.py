@@ -9,7 +9,7 @@
   "Removed: ..." of their index.
 * A link whose text is a symbol, [`Type::member`](file), leads to a source file that has its words.
 * The number of test cases on README.md is that of tests/, rounded down to a hundred.
-* Pictures (PNG) have no transparent pixels, through which a browser would show the page.
+* Pictures (PNG) have no alpha, by which a browser would show the page through them.
 * In the table "Where to change what" of docs/README.md no cell is longer than CELL columns as it is shown: two lines.
 """
 
@@ -121,7 +121,7 @@ def main():
             else:
                 leads_to[page].add(path)
                 if is_transparent(path):
-                    wrong.append(f"{name}: {target} has transparent pixels")
+                    wrong.append(f"{name}: {target} has alpha")
         wrong += [f"{name}: {line}" for line in (*long_lines(page), *symbols(page))]
     wrong += test_cases(tree)
     wrong += decisions(tree / "docs/decisions")

@@ -78,7 +78,8 @@ constexpr void Illumination<Lights, Model, Features>::set_limits() {
   constexpr std::uint32_t kTurns = Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N
   light_height_ = most_light();
   sharpness_ = (highlight_height_ * shininess_ * kTurns) >> 6;  // below 2^20
-  // Between normals that are 60 degrees apart planes are off by 1.7 times what light_over() takes.
+  // Between normals that are 60 degrees apart planes are off by 1.7 times the s/12 of light_over(): there by
+  // one step and the tolerance.
   const std::uint32_t wide = ((32 + more) * 10 + 8) / 17;
   allowed_light_ = 12 * (detail::kExactEnough + more < wide ? detail::kExactEnough + more : wide);
   allowed_highlight_ = 12 * (detail::kHighlightError + more);
@@ -139,8 +140,8 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(
 
 /// The linear normal is shorter than 1 by at most e/2, where e is at most a third of the widest squared chord
 /// s: by s/6, if s is small. Planes are off by half of that, because all values are lengthened by the other
-/// half. So N·L is off by s/12 of its largest value, the cosine of a highlight by s/3 by R·V, and by s/12 by
-/// N·H.
+/// half. So N·L is off by s/12 of its largest value at the corners, the cosine of a highlight by s/3 by R·V,
+/// and by s/12 by N·H.
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const Scalars& a, const Scalars& b,
                                                                           const Scalars& c,

@@ -25,9 +25,10 @@ enum class LightReach : std::uint8_t {
 /// The result of light_over(): bounds over all normals of a triangle.
 struct TriangleLight {
   LightReach reach;
-  bool linear;        ///< planes are within the tolerance
-  std::uint8_t lit;   ///< kDiffuse: the lights that diffuse_scalar() sums up, a bit each
-  std::int32_t lift;  ///< linear: half of the largest lengthening(), by which all scalars are lengthened
+  bool linear;       ///< planes are within the tolerance
+  std::uint8_t lit;  ///< kDiffuse: the lights that diffuse_scalar() sums up, a bit each
+  std::int32_t
+      lift;  ///< linear: s/12, about half of the largest lengthening(), by which scalars are lengthened
   /// The squared chord up to which quadratic surfaces are within the tolerance, 28 fraction bits.
   std::uint32_t quadratic_limit;
 };

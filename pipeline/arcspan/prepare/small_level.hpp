@@ -14,7 +14,7 @@ namespace arcspan {
 class SmallLevel {
  public:
   /// Values are 0...65280. `half` is added, so that dropping bits rounds. The raw value of a pixel is off by
-  /// less than 2^18: by 2^16 for each of two coordinates where the row begins, and for the steps. So with a
+  /// less than 2^18: by 2^16 for each coordinate, cut to 15 bits, and by 2^16 for the reciprocal. So with a
   /// `half` of 2^18 or more none is below 0.
   constexpr void prepare(std::int32_t top, std::int32_t middle, std::int32_t bottom, FullLinear half,
                          const SmallTriangle& triangle) {

@@ -36,7 +36,7 @@ template <class Method>
   const RasterPosition& c = vertices.bottom->position;
   constexpr std::int32_t kFits = 16 << Subpixel::kFraction;  // whatever the area
   constexpr std::int32_t kMost = small_size<Method>() << Subpixel::kFraction;
-  // d, or -d - 1 where d is negative.
+  // d, or -d - 1 where d is negative: all are below a power of two if their bits together are.
   const auto apart = [](std::int32_t p, std::int32_t q) { return (p - q) ^ ((p - q) >> 31); };
   const std::int32_t size = apart(a.x, b.x) | apart(a.x, c.x) | apart(b.x, c.x) | (c.y - a.y);
   return size < kFits ||
@@ -76,7 +76,7 @@ struct SmallTriangle {
   std::int32_t inverse;
   int shift;
   /// Changes of the coordinates of the middle and the bottom vertex per pixel, times twice the area as it is
-  /// scaled to 2^13...2^14: below 2^14 where two pixels of a row are inside.
+  /// scaled to 2^13...2^14: below 2^14 in magnitude where two pixels of a row are inside.
   std::int32_t steep_middle;
   std::int32_t steep_bottom;
   std::int32_t z;         ///< depth of the top vertex
@@ -93,24 +93,24 @@ struct SmallTriangle {
     return static_cast<std::int32_t>(
         (static_cast<std::uint32_t>(value) * static_cast<std::uint32_t>(inverse)) >> shift);
   }
-  /// Return the changes of coordinates per pixel, 16 fraction bits, rounded.
+  /// Return the changes of coordinates per pixel, 16 fraction bits, rounded; in slivers, too.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t d_middle() const {
-    return coordinate_step(steep_middle);
+    return coordinate_step(of_middle.dx);
   }
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t d_bottom() const {
-    return coordinate_step(steep_bottom);
+    return coordinate_step(of_bottom.dx);
   }
   /// Fraction bits that per_pixel() adds.
   static constexpr int kStepBits = 12;
   /// Returns the change per pixel of what is by these larger at the middle and at the bottom vertex than at
-  /// the top one. It is below 2^16 without its kStepBits, and off by less than 2^-15 of it and one unit, so
-  /// that errors of steps do not add up along a row.
+  /// the top one, for triangles with two pixels in a row, where it is below 2^16 without its kStepBits. It is
+  /// off by 2^-15 of itself and one unit: over a row by 2^-15 of the change along it and 32 units.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t per_pixel(std::int32_t to_middle,
                                                                 std::int32_t to_bottom) const {
     const std::int32_t sum = wrap_add(wrap_mul(to_middle, steep_middle), wrap_mul(to_bottom, steep_bottom));
+    // Both give the same bits where steps are used.
     if constexpr (kHasLongMultiply) return multiply_high(sum, wrap_shl(inverse, 15));
-    return wrap_add(wrap_mul(sum >> 15, inverse), wrap_mul(sum & 0x7FFF, inverse) >> 15) >>
-           2;  // the same bits
+    return wrap_add(wrap_mul(sum >> 15, inverse), wrap_mul(sum & 0x7FFF, inverse) >> 15) >> 2;
   }
   /// Returns the depth at the coordinates of the middle and of the bottom vertex. It is within 7 steps of
   /// depth of the plane through the vertices and never outside of their depths.
@@ -121,8 +121,8 @@ struct SmallTriangle {
   }
 
  private:
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t coordinate_step(std::int32_t steep) const {
-    return round_shift(wrap_mul(steep, inverse), 13);
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t coordinate_step(std::int32_t dx) const {
+    return wrap_add(wrap_mul(dx, inverse), (std::int32_t{1} << shift) >> 1) >> shift;
   }
 };
 
@@ -132,7 +132,7 @@ namespace detail {
 /// the edge is on the left, and the one behind the last if it is on the right (top-left rule). It is exact.
 ///
 /// Where an edge meets a row's centre line is a multiple of 1 / (16 dy) of a pixel, at least 2^-13. at_ is
-/// too small by more than 0 and by less than 2^-14, so its floor is exact: the step is rounded to 0, so that
+/// too small by more than 0 and by less than that, so its floor is exact: the step is rounded to 0, so that
 /// kSmallSize rows of it are off by less than that many units in either direction.
 class SteppedColumn {
  public:
@@ -298,7 +298,7 @@ constexpr void prepare_small_triangle(const RasterPosition& top, const RasterPos
   triangle.z_middle = std::int32_t{middle.z} - top.z;
   triangle.z_bottom = std::int32_t{bottom.z} - top.z;
   // Steps are only used where two pixels of a row are inside. There no coordinate changes by more than 1 per
-  // pixel; elsewhere they may wrap.
+  // pixel; elsewhere per_pixel() may wrap.
   triangle.steep_middle = wrap_shl(dy, 17 - triangle.shift);
   triangle.steep_bottom = wrap_shl(-short_dy, 17 - triangle.shift);
   triangle.dz = Linear::from_raw(triangle.per_pixel(triangle.z_middle, triangle.z_bottom));

@@ -132,6 +132,27 @@ TEST_CASE("with mip levels, every piece of a row shows the level of its pixels, 
   CHECK(worst <= 0.5);
 }
 
+// Where a row has one pixel, no step is used but by the choice of the level.
+TEST_CASE("slivers show the mip level of their pixels, however narrow they are") {
+  constexpr unsigned kBits = 8;
+  Random random(33);
+  const Plain::Lighting lighting = lighting_of<Plain>(kBits, kBits, kBits + 1);
+  int pixels = 0;
+  int wrong = 0;
+  for (int i = 0; i < test::share_of(60000); ++i) {
+    MappedTriangle<Plain> triangle = random_triangle<Plain>(random, 3, 1, 0);
+    map_plane(random, random.real(2, 24) / (1 << kBits), triangle);
+    for_each_small_pixel(triangle, lighting, 3, [&](std::int32_t x, std::int32_t y, const auto& run) {
+      const double wanted = level_wanted(triangle, x, y, lighting.texture.size());
+      ++pixels;
+      wrong += std::abs(level_of(run, lighting.texture) - wanted) > 0.75 ? 1 : 0;
+    });
+  }
+  CAPTURE(pixels, wrong);
+  CHECK(pixels > test::share_of(30000));
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("the mip level of a floor follows its length, or its width where the texture is denser along it") {
   constexpr unsigned kBits = 9;
   const Plain::Lighting lighting = lighting_of<Plain>(kBits, kBits, kBits + 1);

@@ -5,6 +5,7 @@
 #include <arcspan_tools/command/played_model.hpp>
 #include <arcspan_tools/image/difference.hpp>
 #include <arcspan_tools/image/image_file.hpp>
+#include <arcspan_tools/support/failure.hpp>
 #include <catch2/catch.hpp>
 #include <tests/tools/command_run.hpp>
 #include <tests/tools/scene_rig.hpp>
@@ -95,6 +96,8 @@ TEST_CASE("without a number of pictures a clip has those that its length takes")
   CHECK(PlayedModel(options, 0, 10).frames() == 1);
   options.clip = "bend";
   CHECK(PlayedModel(options, 4, 10).frames() == 4);
+  CHECK(PlayedModel(options, 0, 0.1).frames() == 2);
+  CHECK_THROWS_AS(PlayedModel(options, 0, 1e6), Failure);
   PlayedModel played(options, 0, 10);
   REQUIRE(played.frames() == 15);
   const FixedMesh at_rest = played.frame(0).meshes[0];

@@ -13,8 +13,8 @@ namespace arcspan::tools {
 /// clip.
 class PlayedModel {
  public:
-  /// Loads the model by load_drawn_model() of `options`, which must outlive the object, for so many pictures,
-  /// or with 0 for those that the clip takes; one without --clip.
+  /// Loads the model by load_drawn_model() of `options`, which must outlive the object, for so many pictures;
+  /// 0: for as many as the clip takes. Without --clip there is one, whatever is asked.
   PlayedModel(RenderOptions& options, std::size_t frames, double frames_per_second);
 
   [[nodiscard]] std::size_t frames() const { return clip_ ? clip_->size() : 1; }

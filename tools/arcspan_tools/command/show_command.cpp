@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -43,7 +44,7 @@ struct ShowArguments {
 };
 
 struct ShowStatistics {
-  int frames = 0;
+  std::uint64_t frames = 0;
   double draw_milliseconds = 0;
   double send_milliseconds = 0;
 };
@@ -111,7 +112,7 @@ class Show {
   [[nodiscard]] bool moves() const { return !still_ || pictures_ > 1; }
 
   void show_frame() {
-    const std::size_t picture = static_cast<std::size_t>(statistics_.frames) % pictures_;
+    const std::size_t picture = static_cast<std::size_t>(statistics_.frames % pictures_);
     const Scene scene = moves() ? turntable_.scene(still_ ? 0 : picture) : arguments_.options.scene;
     const Clock::time_point begin = Clock::now();
     RenderJob job = make_job(scene, model_.frame(picture), arguments_.options.mesh);
@@ -164,9 +165,9 @@ int show_until_stopped(ShowArguments& arguments, PlayedModel& model) {
   const int signal = show.run();
   display->finish();
   const ShowStatistics& statistics = show.statistics();
-  std::printf("%d frames; drawing %.1f ms, sending %.1f ms a frame\n", statistics.frames,
-              statistics.draw_milliseconds / statistics.frames,
-              statistics.send_milliseconds / statistics.frames);
+  const auto frames = static_cast<double>(statistics.frames);
+  std::printf("%.0f frames; drawing %.1f ms, sending %.1f ms a frame\n", frames,
+              statistics.draw_milliseconds / frames, statistics.send_milliseconds / frames);
   std::fflush(stdout);
   return signal;
 }

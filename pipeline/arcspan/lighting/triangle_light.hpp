@@ -27,8 +27,8 @@ struct TriangleLight {
   LightReach reach;
   bool linear;       ///< planes are within the tolerance
   std::uint8_t lit;  ///< kDiffuse: the lights that diffuse_scalar() sums up, a bit each
-  std::int32_t
-      lift;  ///< linear: s/12, about half of the largest lengthening(), by which scalars are lengthened
+  /// By what scalars of a linear surface are lengthened: s/12, about half of the largest lengthening().
+  std::int32_t lift;
   /// The squared chord up to which quadratic surfaces are within the tolerance, 28 fraction bits.
   std::uint32_t quadratic_limit;
 };

@@ -13,10 +13,10 @@
 /// How much of a texture a pixel covers in perspective, for the choice of the mip level.
 namespace arcspan {
 
-/// What a pixel covers of the texture is roughly a rectangle. With q the raw value of 1/w, its side along the
-/// line of equal depth is A/q texels of level 0, and its other side B/q^2; A and B are the same in the whole
-/// triangle. So towards the horizon it covers much of a floor's length and little of its width. The members
-/// and `log_q` are binary logarithms with 8 fraction bits.
+/// The sides of the part of the texture that a pixel covers, roughly a rectangle. Along the line of equal
+/// depth it is A/q texels of level 0 long, across it B/q^2, where q is the raw value of 1/w. A and B are the
+/// same in the whole triangle. So towards the horizon a pixel covers much of a floor's length and little of
+/// its width. The members and `log_q` are binary logarithms with 8 fraction bits.
 struct PerspectiveSides {
   std::int32_t log_along;   ///< of A
   std::int32_t log_across;  ///< of B

@@ -90,8 +90,8 @@ namespace detail {
 /// fraction bits.
 [[nodiscard]] constexpr std::int32_t log_step(std::uint32_t u, std::uint32_t v) {
   const std::uint32_t mean = (u + v) >> 1;
-  const std::uint32_t diagonal =
-      mean + (mean >> 1);  // the greatest of the three is within 1/16 of the length
+  // The greatest of u, v and the diagonal is within 1/16 of the length.
+  const std::uint32_t diagonal = mean + (mean >> 1);
   const std::uint32_t longer = u > v ? u : v;
   return low_log2(longer > diagonal ? longer : diagonal) - 8 * 256;
 }

@@ -111,10 +111,10 @@ TEST_CASE("arc is within three steps where the highlights of two lights coincide
 TEST_CASE("arc by two lights is as accurate where one of them or one highlight ends") {
   const std::int32_t shininess = GENERATE(4, 16, 64);
   CAPTURE(shininess);
-  const double more = shininess == 64 ? 1 : 0;
-  CHECK(worst_error<Highlight::kPhong>(shininess, Spread::k90Degrees, 5, 30) <= 3 + 1.5 * more);
+  const bool is_sharp = shininess == 64;
+  CHECK(worst_error<Highlight::kPhong>(shininess, Spread::k90Degrees, 5, 30) <= (is_sharp ? 4.5 : 3));
   CHECK(worst_error<Highlight::kBlinn>(shininess, Spread::k90Degrees, 5, 30) <= 3);
-  CHECK(worst_error<Highlight::kPhong>(shininess, Spread::k90Degrees, 30, 45) <= 3.5 + 0.5 * more);
+  CHECK(worst_error<Highlight::kPhong>(shininess, Spread::k90Degrees, 30, 45) <= (is_sharp ? 4 : 3.5));
   CHECK(worst_error<Highlight::kBlinn>(shininess, Spread::k90Degrees, 30, 45) <= 3.5);
 }
 

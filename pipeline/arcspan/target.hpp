@@ -124,11 +124,16 @@ ARCSPAN_INLINE constexpr void reload_from_memory(T& value) {
 }
 
 /// Hides how `value` was computed: gcc replaces one shared index into two arrays by two pointers otherwise.
-template <class T>
+/// Where registers are few, only if `Always`.
+template <bool Always = false, class T>
 ARCSPAN_INLINE constexpr void hide_value(T& value) {
-  if constexpr (kHasManyRegisters && std::is_scalar_v<T>) {
+#if defined(__AVR__)
+  (void)value;  // as above
+#else
+  if constexpr ((Always || kHasManyRegisters) && std::is_scalar_v<T>) {
     if (!std::is_constant_evaluated()) asm("" : "+r"(value));
   }
+#endif
 }
 
 /// Returns `value` as hide_value() leaves it; members that are hidden in place stay in memory with gcc.

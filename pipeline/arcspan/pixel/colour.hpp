@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -79,10 +80,13 @@ concept AlphaColour = requires(const C& c) {
   { c.alpha() } -> std::same_as<std::uint32_t>;
 };
 
-/// Optional part of a colour: at_depth(depth) is the colour of a pixel with this depth of 16 bits.
-template <class C>
-concept DepthColour = requires(const C& c, std::uint32_t depth) {
-  {c.at_depth(depth)};
+/// A run with an operation that depends on the layer of depths: fog. enter_layer() is called before each
+/// piece of a row. It gets the depth of its first pixel, the gradient of the depth, and the number of pixels
+/// left, and returns how many of them lie in the layer of the first. Its parameter is kOperates565 of the
+/// pixel format.
+template <class R, class Lighting>
+concept LayeredRun = requires(R run, const Lighting& lighting, Linear z, std::int32_t left) {
+  { run.template enter_layer<true>(lighting, z, z, left) } -> std::same_as<std::int32_t>;
 };
 
 /// Optional part of a colour: over(below) is the colour blended with `below`, the pixel that is there, as

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/integer.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/pixel_operation.hpp>
@@ -9,10 +10,8 @@
 #include <arcspan/target.hpp>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 
 namespace arcspan {
 
@@ -26,38 +25,30 @@ struct FogRange {
   bool orthographic = false;  ///< whether the camera has an orthographic lens
 };
 
-/// Fog: the share of its colour grows linearly with the distance, from 0 at `start` to 1 at `end`. The share
-/// is looked up by the depth of each pixel, so that it is right on large triangles too. It needs a depth
-/// buffer.
+/// Fog: the share of its colour grows linearly with the distance, from 0 at `start` to 1 at `end`. It is that
+/// of the depth of each pixel, so that it is right on large triangles too. It needs a depth buffer.
 ///
-/// The farther away, the more distance a step of depth stands for. So the table has its finest entries near
-/// the depth where the fog ends. It is indexed by d = end depth - depth: an entry for each d below 128, and
-/// 128 entries for each doubling of d + 128.
+/// The depths of equal share are a layer. Rows are drawn in pieces that lie within a layer, where fog is a
+/// constant.
 ///
-/// Made once per camera, which takes about 500,000 instructions; the colour may change in each frame. An
-/// operation refers to it, so it must outlive drawing.
+/// Made once per camera, which takes 23,000 instructions on a Cortex-M3; the colour may change in each
+/// frame. An operation refers to it, so it must outlive drawing.
 class Fog {
  public:
+  static constexpr std::uint32_t kFull = 128;  ///< the share of fog that hides everything
+
   /// No fog.
-  constexpr Fog() = default;
+  constexpr Fog() {
+    for (std::uint32_t share = 1; share < kFull + 3; ++share) first(share) = kNever;
+  }
 
   /// Returns kInvalidArgument, and does not change `fog`, if the range is not as FogRange states.
   static constexpr Status make(const FogRange& range, Rgb8 colour, Fog& fog) {
     if (range.near_plane <= 0 || range.near_plane >= range.far_plane || range.start >= range.end) {
       return Status::kInvalidArgument;
     }
-    fog.end_ = end_depth(range);
-    const auto at = [&](std::uint32_t difference) {
-      const std::int64_t share = share_at(range, fog.end_ - static_cast<std::int32_t>(difference));
-      return static_cast<std::uint32_t>(share < 0 ? 0 : share < kFull ? share : kFull);
-    };
-    for (unsigned i = 0; i < kPerOctave * kOctaves; ++i) {
-      // The mean of the first and the last depth of the entry.
-      const unsigned octave = kOctaves - 1 - i / kPerOctave;
-      const std::uint32_t first = (std::uint32_t{kPerOctave + i % kPerOctave} << octave) - kPerOctave;
-      const std::uint32_t both = at(first) + at(first + (std::uint32_t{1} << octave) - 1);
-      fog.shares_[i] = static_cast<std::uint8_t>((both * 255 + (1u << kShareBits)) >> (kShareBits + 1));
-    }
+    for (std::uint32_t share = 1; share <= kFull; ++share)
+      fog.first(share) = first_depth_at(range, distance_of(range, share));
     fog.set_colour(colour);
     return Status::kOk;
   }
@@ -67,70 +58,71 @@ class Fog {
     colour_ = PackedRgb::of(colour);
     spread_ = detail::spread(detail::colour565(colour_));
   }
-
-  /// The share of the fog at a 16-bit depth, 0...255, and 255 from `end` on. Its error is at most 1.5 if
-  /// far_plane is at most 1000 near_plane, and end - start at least 1/1000 of `end`.
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t share(std::uint32_t depth) const {
-    const std::uint32_t biased =
-        clamped_unsigned<16, 0>(end_ - static_cast<std::int32_t>(depth)) + kPerOctave;
-    const unsigned octave = octave_of(biased);
-    // The highest eight bits are 128...255.
-    const std::uint32_t entry = octave * kPerOctave + (biased << octave >> 8);
-    return shares_[static_cast<std::size_t>(entry)];
-  }
   [[nodiscard]] constexpr PackedRgb colour() const { return colour_; }
   /// The colour as a spread 5-6-5 pixel.
   [[nodiscard]] constexpr std::uint32_t spread_colour() const { return spread_; }
 
+  /// The share of the fog at a depth, 0...kFull. Its error is at most 1.5/255 if far_plane is at most 1000
+  /// near_plane, and end - start at least 1/1000 of `end`.
+  [[nodiscard]] constexpr std::uint32_t share(std::uint16_t depth) const { return layer<kFull>(depth); }
+
+  /// The layer of a depth, 0...Layers: the share in steps of 1/Layers. Layers is kFull or kFull / 4.
+  template <std::uint32_t Layers>
+  [[nodiscard]] constexpr std::uint32_t layer(std::int32_t depth) const {
+    return depth >= first_depth<Layers>(Layers) ? Layers : layer_from<Layers, Layers / 2>(0, depth);
+  }
+  /// The first depth of a layer, 0...Layers + 1: half a step before its share is reached, so that shares are
+  /// rounded.
+  template <std::uint32_t Layers>
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t first_depth(std::uint32_t layer) const {
+    constexpr std::uint32_t kStep = kFull / Layers;
+    static_assert(kStep == 1 || kStep / 2 == kBefore);
+    return firsts_[static_cast<std::size_t>(kBefore - kStep / 2 + layer * kStep)];
+  }
+
  private:
   static constexpr std::int32_t kNearest = 256;  ///< depths of the planes: ClipTransform::kDepthMargin
-  static constexpr std::int32_t kFarthest = 65535 - 256;
-  static constexpr unsigned kPerOctave = 128;
-  static constexpr unsigned kOctaves = 10;  ///< of a difference plus 128: 128...65407
-  static constexpr int kShareBits = 14;
-  static constexpr std::int64_t kFull = 1 << kShareBits;
+  static constexpr std::int32_t kSpan = 65535 - 2 * kNearest;
+  static constexpr std::uint16_t kNever = 65535;
+  static constexpr std::uint32_t kBefore = 2;
 
-  /// How many zeros a word of 16 bits, 128...65535, begins with: by a table where counting them takes a call.
-  [[nodiscard]] ARCSPAN_INLINE static constexpr unsigned octave_of(std::uint32_t word) {
-    if constexpr ((kCountsLeadingZeros && kHasManyRegisters) || kOptimisedForSize) {
-      return static_cast<unsigned>(std::countl_zero(word)) - 16;
+  /// The layer of a depth between `from` and the layer 2 Step farther: by halves, without a loop.
+  template <std::uint32_t Layers, std::uint32_t Step>
+  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t layer_from(std::uint32_t from,
+                                                                  std::int32_t depth) const {
+    if (depth >= first_depth<Layers>(from + Step)) from += Step;
+    if constexpr (Step == 1) {
+      return from;
     } else {
-      return detail::kByteLeadingZeros[static_cast<std::size_t>(word >> 8)] - 24u;
+      return layer_from<Layers, Step / 2>(from, depth);
     }
   }
-  /// The distance of a depth, 16 fraction bits.
-  [[nodiscard]] static constexpr std::int64_t distance_at(const FogRange& range, std::int32_t depth) {
-    constexpr std::int64_t kSpan = kFarthest - kNearest;
-    const std::int64_t far_plane = range.far_plane;
-    const std::int64_t beyond = (depth - kNearest) * (far_plane - range.near_plane);  // of the near plane
-    if (range.orthographic) return (std::int64_t{range.near_plane} << 16) + (beyond << 16) / kSpan;
-    // By ClipTransform::depth(): near/w = 1 - (depth - 256) / 65023 * (1 - near/far), so that
-    // w = near far span / (far span - beyond), with far span below 2^47. Thin fog needs 32 fraction bits.
-    const std::int64_t divisor = far_plane * kSpan - beyond;
-    const std::int64_t dividend = (far_plane * kSpan) << 16;
-    const std::int64_t ratio =
-        ((dividend / divisor) << 16) + ((dividend % divisor) << 16) / divisor;  // w / near
-    return (range.near_plane * ratio) >> 16;
+  [[nodiscard]] constexpr std::uint16_t& first(std::uint32_t share) {
+    return firsts_[static_cast<std::size_t>(kBefore + share)];
   }
-  /// The share at a depth, kShareBits fraction bits, not clamped: below 0 where the fog has not begun.
-  [[nodiscard]] static constexpr std::int64_t share_at(const FogRange& range, std::int32_t depth) {
-    const std::int64_t in_fog = distance_at(range, depth) - (std::int64_t{range.start} << 16);
-    return (in_fog >> (16 - kShareBits)) / (std::int64_t{range.end} - range.start);
+  /// The distance from which a share is the nearest one, 8 fraction bits.
+  [[nodiscard]] static constexpr std::int64_t distance_of(const FogRange& range, std::uint32_t share) {
+    const std::int64_t halves = 2 * std::int64_t{share} - 1;
+    return std::int64_t{range.start} * 256 + (std::int64_t{range.end} - range.start) * halves;
   }
-  /// The first depth at which the fog hides everything; that of the far plane if there is none.
-  [[nodiscard]] static constexpr std::int32_t end_depth(const FogRange& range) {
-    std::int32_t clear = kNearest - 1;
-    for (std::int32_t bit = std::int32_t{1} << 15; bit != 0; bit >>= 1) {
-      const std::int32_t further = clear + bit;
-      if (further < kFarthest && share_at(range, further) < kFull) clear = further;
-    }
-    return clear + 1;
+  /// The first depth at a distance of 8 fraction bits or beyond.
+  [[nodiscard]] static constexpr std::uint16_t first_depth_at(const FogRange& range, std::int64_t distance) {
+    const std::int64_t nearest = std::int64_t{range.near_plane} << 8;
+    const std::int64_t farthest = std::int64_t{range.far_plane} << 8;
+    if (distance <= nearest) return 0;
+    if (distance > farthest) return kNever;
+    // By ClipTransform::depth(): 256 + 65023 (1 - near / w) / (1 - near / far). Thin fog needs the bits.
+    int bits = 40;
+    while (!range.orthographic && nearest >> (62 - bits) != 0) --bits;
+    const auto beyond = [&](std::int64_t w) {
+      return range.orthographic ? w - nearest : (std::int64_t{1} << bits) - (nearest << bits) / w;
+    };
+    const std::int64_t all = beyond(farthest);
+    return static_cast<std::uint16_t>(kNearest + (beyond(distance) * kSpan + all - 1) / all);
   }
 
-  std::int32_t end_ = 0;  ///< no fog
-  /// Shares in 255ths. With end_ - depth + 128 = m 2^k, m in 128...255, a depth has entry
-  /// 128 (9 - k) + m - 128.
-  std::array<std::uint8_t, kPerOctave * kOctaves> shares_{};
+  /// Entry kBefore + n is the first depth whose share is n/128.
+  std::array<std::uint16_t, kBefore + kFull + 3> firsts_{};
   PackedRgb colour_{};
   std::uint32_t spread_ = 0;
 };
@@ -139,49 +131,105 @@ class Fog {
 struct Fogged {
   const Fog* fog = nullptr;
 
-  /// A colour in fog of a known depth.
   template <class C>
-  struct InFog : WrappedColour<C> {
-    const Fog* fog;
-    std::uint32_t share;  ///< 0...255
+  struct Result;
 
-    [[nodiscard]] constexpr PackedRgb packed() const {
-      const std::uint32_t of_256 = share + (share >> 7);
-      return detail::by_channel(detail::packed_colour(this->colour), fog->colour(),
-                                [of_256](std::uint32_t a, std::uint32_t b) {
-                                  return (a * (256 - of_256) + b * of_256 + 128) >> 8;
-                                });
-    }
-    [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
-      return detail::joined(detail::mixed_spread(detail::spread(detail::colour565(this->colour)),
-                                                 fog->spread_colour(), (share + 4) >> 3));
+  /// The fog in a layer, for 5-6-5 pixels or for a PackedRgb.
+  struct Constant {
+    std::uint32_t rest = 0;  ///< the share of the surface: 0...32, or 0...Fog::kFull
+    std::uint32_t part =
+        0;  ///< the spread colour of the fog times its share, plus half a step, or its colour
+
+    template <class C>
+    [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& surface) const {
+      static_assert(!BlendedColour<C>, "Opacity is the last operation");
+      return Result<C>{{surface}, *this};
     }
   };
 
-  /// A colour in fog whose depth is not known yet (DepthColour).
+  /// A surface in fog. It knows the one of packed() and rgb565() for which its Constant is.
   template <class C>
   struct Result : WrappedColour<C> {
-    const Fog* fog;
+    Constant fog;
 
     [[nodiscard]] constexpr std::uint32_t alpha() const requires AlphaColour<C> {
       return this->colour.alpha();
     }
-    [[nodiscard]] ARCSPAN_INLINE constexpr auto at_depth(std::uint32_t depth) const {
-      if constexpr (DepthColour<C>) {
-        const auto nearer = this->colour.at_depth(depth);
-        return InFog<std::remove_const_t<decltype(nearer)>>{{nearer}, fog, fog->share(depth)};
-      } else {
-        return InFog<C>{{this->colour}, fog, fog->share(depth)};
-      }
+    [[nodiscard]] constexpr PackedRgb packed() const {
+      return detail::by_channel(
+          detail::packed_colour(this->colour), PackedRgb{fog.part}, [this](std::uint32_t a, std::uint32_t b) {
+            return (a * fog.rest + b * (Fog::kFull - fog.rest) + Fog::kFull / 2) / Fog::kFull;
+          });
     }
-    /// Without fog, for runs that have no depth.
-    [[nodiscard]] constexpr PackedRgb packed() const { return detail::packed_colour(this->colour); }
+    [[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t rgb565() const {
+      const std::uint32_t surface = detail::spread(detail::colour565(this->colour));
+      return detail::joined(((surface * fog.rest + fog.part) >> 5) & detail::kSpreadMask);
+    }
   };
 
-  template <class C>
-  [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& colour) const {
-    static_assert(!BlendedColour<C>, "Opacity is the last operation");
-    return Result<C>{{colour}, fog};
+  /// The layer that pixels of a triangle are in.
+  class Layer {
+   public:
+    /// Enters the layer of a pixel of depth `z`, the first of `left` in a row. Returns how many of them, at
+    /// least one, are in it, and sets the fog there.
+    template <bool As565>
+    [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Fogged& operation, Linear z, Linear dz,
+                                                              std::int32_t left, Constant& here) {
+      // Hidden, because the loop over pixels would take two instructions for a depth.
+      const Linear first = Linear::from_raw(hidden(z.raw()));
+      if (!holds(first) || !holds(behind(first, dz, left - 1)))
+        left = count<As565>(*operation.fog, first, dz, left);
+      here = here_;
+      return left;
+    }
+
+   private:
+    [[nodiscard]] ARCSPAN_INLINE static constexpr Linear behind(Linear z, Linear dz, std::int32_t pixels) {
+      return z + Linear::from_raw(wrap_mul(dz.raw(), pixels));
+    }
+    [[nodiscard]] ARCSPAN_INLINE constexpr bool holds(Linear z) const {
+      return static_cast<std::uint32_t>(depth_of(z) - first_) < thickness_;
+    }
+    /// enter() of a row with several layers, or another one.
+    template <bool As565>
+    [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t count(const Fog& whole, Linear z, Linear dz,
+                                                               std::int32_t left) {
+      if (!holds(z)) find<As565>(whole, depth_of(z));
+      if (holds(behind(z, dz, left - 1))) return left;
+      std::int32_t count = 1;
+      std::int32_t step = 1;
+      for (; count + step < left && holds(behind(z, dz, count + step - 1)); step *= 2) count += step;
+      for (; step != 0; step /= 2) {
+        if (count + step < left && holds(behind(z, dz, count + step - 1))) count += step;
+      }
+      return count;
+    }
+    template <bool As565>
+    ARCSPAN_INLINE constexpr void find(const Fog& whole, std::int32_t depth) {
+      constexpr std::uint32_t kLayers = As565 ? Fog::kFull / 4 : Fog::kFull;
+      const std::uint32_t found = whole.layer<kLayers>(depth);
+      first_ = whole.first_depth<kLayers>(found);
+      thickness_ = static_cast<std::uint32_t>(whole.first_depth<kLayers>(found + 1) - first_);
+      const std::uint32_t part =
+          As565 ? whole.spread_colour() * found + detail::kSpreadHalf : whole.colour().lanes;
+      here_ = {kLayers - found, part};
+    }
+
+    std::int32_t first_ = 0;       ///< depth
+    std::uint32_t thickness_ = 0;  ///< in depths; 0 before the first pixel
+    Constant here_{};
+  };
+  /// Of a row before its first pixel.
+  [[nodiscard]] ARCSPAN_INLINE static constexpr Constant in_row(std::int32_t, std::int32_t) { return {}; }
+
+  /// The fog at a depth, in front of a colour that becomes a 5-6-5 pixel (detail::kOperates565 of its format)
+  /// or a PackedRgb.
+  template <bool As565>
+  [[nodiscard]] constexpr Constant at_depth(std::uint16_t depth) const {
+    Layer layer;
+    Constant here;
+    (void)layer.enter<As565>(*this, Linear::from_raw(std::int32_t{depth} << Linear::kFraction), {}, 1, here);
+    return here;
   }
 };
 

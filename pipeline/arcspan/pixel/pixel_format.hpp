@@ -69,6 +69,10 @@ concept Rgb565Words = requires(std::uint16_t v) {
   requires(F::encode(Rgb8{255, 132, 8}) == F::word565(0xFC21));  // all channels have their places
 };
 
+/// Whether operations take the colours of a format as 5-6-5 pixels, instead of PackedRgb.
+template <class F>
+inline constexpr bool kOperates565 = !F::kDithers && Rgb565Words<F>;
+
 }  // namespace detail
 
 /// The format `F` with ordered dither before the lower bits of a colour are dropped.

@@ -17,7 +17,8 @@
 /// function object that takes a colour and returns a colour of another type, which has one of the optional
 /// members of colour.hpp. If the operation depends on the position, it has in_row(x, y) instead,
 /// which returns a function object for the run of pixels that begins there; its next() moves to the next
-/// pixel. shading/with_operation.hpp adds an operation to a shading method.
+/// pixel. If it depends on the depth, it has a type Layer of function objects (Fogged).
+/// shading/with_operation.hpp adds an operation to a shading method.
 namespace arcspan {
 
 namespace detail {
@@ -116,11 +117,6 @@ struct Opacity {
         return detail::joined(detail::mixed_spread(below, (green << 21) | (red << 11) | blue, opacity));
       }
     }
-    template <class D = C>
-    [[nodiscard]] constexpr auto at_depth(std::uint32_t depth) const requires DepthColour<D> {
-      const auto nearer = this->colour.at_depth(depth);
-      return Result<std::remove_const_t<decltype(nearer)>>{{nearer}, opacity};
-    }
   };
 
   template <class C>
@@ -171,11 +167,6 @@ struct ScreenDoor {
     }
     [[nodiscard]] constexpr PackedRgb packed() const { return detail::packed_colour(this->colour); }
     [[nodiscard]] constexpr std::uint16_t rgb565() const { return detail::colour565(this->colour); }
-    template <class D = C>
-    [[nodiscard]] constexpr auto at_depth(std::uint32_t depth) const requires DepthColour<D> {
-      const auto nearer = this->colour.at_depth(depth);
-      return Result<std::remove_const_t<decltype(nearer)>>{{nearer}, drawn};
-    }
   };
 
   /// The pixels of a row.

@@ -40,24 +40,23 @@ template <bool Wide = false>
   const std::uint32_t green = (c.lanes >> 28) << 22;
   return ((c.lanes - red_blue - green + kHalves) >> 5) & kSpreadMask;
 }
+/// Half a step of each channel that has five fraction bits.
+inline constexpr std::uint32_t kSpreadHalf = 0x02008010;
 /// spread * factor, rounded; factor is 0...32 and stands for 0...1.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t scaled_spread(std::uint32_t spread,
                                                                    std::uint32_t factor) {
-  constexpr std::uint32_t kHalf = 0x02008010;
-  return ((spread * factor + kHalf) >> 5) & kSpreadMask;
+  return ((spread * factor + kSpreadHalf) >> 5) & kSpreadMask;
 }
 /// (a * rest + b * factor) / 32, rounded; rest + factor = 32.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t mixed_spread(std::uint32_t a, std::uint32_t rest,
                                                                   std::uint32_t b, std::uint32_t factor) {
-  constexpr std::uint32_t kHalf = 0x02008010;
-  return ((a * rest + (b * factor + kHalf)) >> 5) & kSpreadMask;
+  return ((a * rest + (b * factor + kSpreadHalf)) >> 5) & kSpreadMask;
 }
 /// a + (b - a) * factor, rounded; factor is 0...32.
 [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t mixed_spread(std::uint32_t a, std::uint32_t b,
                                                                   std::uint32_t factor) {
-  constexpr std::uint32_t kHalf = 0x02008010;
   // Borrows of the difference cancel out in the sum.
-  return (((b - a) * factor + ((a << 5) + kHalf)) >> 5) & kSpreadMask;
+  return (((b - a) * factor + ((a << 5) + kSpreadHalf)) >> 5) & kSpreadMask;
 }
 
 // ---- Light

@@ -26,19 +26,31 @@ template <class Operation>
     return operation;
 }
 
+/// The function object of an operation that depends on the depth. It lives as long as a triangle.
+template <class Operation>
+concept LayeredOperation = requires {
+  typename Operation::Layer;
+};
+template <class Operation>
+struct LayerOf {};
+template <LayeredOperation Operation>
+struct LayerOf<Operation> : Operation::Layer {};
+
 /// The run of a method, with an operation on its colours. An aggregate, so that the inner run is made in
 /// place: small cores would copy it by memcpy.
 template <class Inner, class Operation>
 struct OperationRun {
   static constexpr bool kStartsAnywhere = requires { requires bool{Inner::kStartsAnywhere}; };
   Inner inner;
+  LayerOf<Operation>& layer;
   /// Has a value before begin(), because next() passes the pixels left of the sink before that.
-  decltype(in_row(std::declval<const Operation&>(), 0, 0)) operation{};
+  [[no_unique_address]] decltype(in_row(std::declval<const Operation&>(), 0, 0)) operation{};
 
   /// Starts a row of a walker, or of a small triangle.
   template <class Rows, class... Row>
-  ARCSPAN_INLINE constexpr explicit OperationRun(const Rows& rows, const Row&... row)
-      : inner(rows.row(row...)) {}
+  ARCSPAN_INLINE constexpr explicit OperationRun(LayerOf<Operation>& of_triangle, const Rows& rows,
+                                                 const Row&... row)
+      : inner(rows.row(row...)), layer(of_triangle) {}
 
   /// The next pixel is (x, y).
   template <class Lighting>
@@ -59,6 +71,17 @@ struct OperationRun {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
     return inner.enter(base_of(lighting), left);
   }
+  /// How many of the pixels are in the layers of the first (LayeredRun).
+  template <bool As565, class Lighting>
+  requires(LayeredOperation<Operation> || LayeredRun<Inner, typename Lighting::Base>)
+      [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t
+      enter_layer(const Lighting& lighting, Linear z, Linear dz, std::int32_t left) {
+    if constexpr (LayeredRun<Inner, typename Lighting::Base>)
+      left = inner.template enter_layer<As565>(base_of(lighting), z, dz, left);
+    if constexpr (LayeredOperation<Operation>)
+      left = layer.template enter<As565>(lighting.operation, z, dz, left, operation);
+    return left;
+  }
 
  private:
   template <class Lighting>
@@ -76,8 +99,9 @@ struct OperationWalker : Walker {
   // Not trivial, because compilers call memcpy for the whole on small cores.
   ARCSPAN_INLINE constexpr OperationWalker(const OperationWalker& other) : Walker(other) {}
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(const RowStart& start) const {
-    return Run(static_cast<const Walker&>(*this), start);
+    return Run(layer, static_cast<const Walker&>(*this), start);
   }
+  [[no_unique_address]] mutable LayerOf<Operation> layer{};
 };
 
 /// The rows of a small triangle, whose runs have an operation.
@@ -85,8 +109,9 @@ template <class Rows, class Operation>
 struct OperationSmall {
   using Run = OperationRun<typename Rows::Run, Operation>;
   Rows rows;
+  [[no_unique_address]] mutable LayerOf<Operation> layer{};
   [[nodiscard]] ARCSPAN_INLINE constexpr Run row(std::int32_t y, std::int32_t b, std::int32_t c) const {
-    return Run(rows, y, b, c);
+    return Run(layer, rows, y, b, c);
   }
 };
 
@@ -133,7 +158,7 @@ struct WithOperation : Coloured {
   template <class Small, class Draw>
   [[nodiscard]] static constexpr Status walk_small(const Small& part, Draw&& draw) {
     return Method::walk_small(part, [&](const auto& rows) {
-      return draw(detail::OperationSmall<std::remove_cvref_t<decltype(rows)>, Operation>{rows});
+      return draw(detail::OperationSmall<std::remove_cvref_t<decltype(rows)>, Operation>{rows, {}});
     });
   }
 };

@@ -16,14 +16,6 @@
 
 namespace arcspan {
 
-/// The 16-bit depth of a surface whose interpolated depth is `z`. On RISC-V compilers take the shift to the
-/// left out of a loop, by shifting the start and the step of `z`.
-[[nodiscard]] ARCSPAN_INLINE constexpr std::uint16_t depth_of(Linear z) {
-  constexpr int kUp = 16 - Linear::kFraction;
-  if constexpr (kExtendsHalfwords) return static_cast<std::uint16_t>(z.raw() >> Linear::kFraction);
-  return static_cast<std::uint16_t>(static_cast<std::uint32_t>(z.raw()) << kUp >> 16);
-}
-
 /// The depth test: true if a pixel at `depth` is drawn over one at `stored`. Nearer depths are smaller; of
 /// two equal ones the first stays.
 [[nodiscard]] ARCSPAN_INLINE constexpr bool is_nearer(std::uint16_t depth, std::uint16_t stored) {

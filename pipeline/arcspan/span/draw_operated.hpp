@@ -12,7 +12,7 @@
 
 namespace arcspan::detail {
 
-/// True if the pixels of `Run` are masked, blended or in fog.
+/// True if the pixels of `Run` are masked or blended.
 template <class Target, class Run>
 inline constexpr bool kHasOperation = [] {
   if constexpr (requires(const Run& run, const typename Target::Lighting& lighting) {
@@ -20,7 +20,7 @@ inline constexpr bool kHasOperation = [] {
                 }) {
     using Shade = std::remove_cvref_t<decltype(std::declval<const Run&>().colour(
         std::declval<const typename Target::Lighting&>()))>;
-    return MaskedColour<Shade> || BlendedColour<Shade> || DepthColour<Shade>;
+    return MaskedColour<Shade> || BlendedColour<Shade>;
   }
   return false;
 }();
@@ -32,7 +32,7 @@ template <class Format, class Shade>
                                                                          std::int32_t x, std::int32_t y) {
   if constexpr (!BlendedColour<Shade>) {
     return encode_at<Format>(colour, x, y);
-  } else if constexpr (!Format::kDithers && Rgb565Words<Format>) {
+  } else if constexpr (kOperates565<Format>) {
     return Format::word565(colour.over565(Format::word565(below)));
   } else {
     return encode_at<Format>(colour.over(PackedRgb::of(Format::decode(below))), dithered_again_at(x),
@@ -40,8 +40,8 @@ template <class Format, class Shade>
   }
 }
 
-/// Draws a pixel that has passed the depth test, at (x, y) of the picture: in fog of its depth, unless it is
-/// masked, blended with what is at the cursor.
+/// Draws a pixel that has passed the depth test, at (x, y) of the picture: unless it is masked, blended with
+/// what is at the cursor.
 template <class Target, class Shade>
 ARCSPAN_INLINE constexpr void draw_operated(const Shade& colour, typename Target::Format::Cursor cursor,
                                             std::uint16_t* stored, std::uint16_t depth, std::int32_t x,
@@ -50,16 +50,8 @@ ARCSPAN_INLINE constexpr void draw_operated(const Shade& colour, typename Target
   if constexpr (MaskedColour<Shade>) {
     if (!colour.covers(x, y)) return;
   }
-  if constexpr (DepthColour<Shade>) {
-    static_assert(Target::Depth::kTests, "fog needs the depth of each pixel: draw with a depth target");
-    if constexpr (kExtendsHalfwords) hide_value(depth);  // otherwise gcc takes it out of z twice
-    const auto in_depth = colour.at_depth(depth);
-    if constexpr (Target::Depth::kWrites) *stored = depth;
-    cursor.write(operated<Format>(in_depth, cursor.read(), x, y));
-  } else {
-    if constexpr (Target::Depth::kTests && Target::Depth::kWrites) *stored = depth;
-    cursor.write(operated<Format>(colour, cursor.read(), x, y));
-  }
+  if constexpr (Target::Depth::kTests && Target::Depth::kWrites) *stored = depth;
+  cursor.write(operated<Format>(colour, cursor.read(), x, y));
 }
 
 }  // namespace arcspan::detail

@@ -57,6 +57,8 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
   using Format = typename Target::Format;
   constexpr bool kTests = Target::Depth::kTests;
   constexpr bool kIndexed = IndexedRows<Target>;
+  constexpr bool kLayered = LayeredRun<Run, typename Target::Lighting>;
+  static_assert(!kLayered || kTests, "fog needs the depth of each pixel: draw with a depth target");
   const std::int32_t origin = kIndexed ? span.x + span.count : span.x;
   [[maybe_unused]] typename Format::Encoded* pixels = nullptr;
   std::uint16_t* depths = place.depths;
@@ -70,35 +72,44 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
   std::ptrdiff_t i = kIndexed ? -count : 0;
   if constexpr (requires { run.begin(target.lighting, span.x, span.y); })
     run.begin(target.lighting, span.x, span.y);
-  do {  // a test at the end, which -Os would not move there
-    if constexpr (kIndexed) hide_value(i);
-    const std::uint16_t depth = depth_of(place.z);
-    std::uint16_t* const stored = kIndexed ? depths + i : place.depths;
-    if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
-      const std::int32_t x = origin + static_cast<std::int32_t>(i);
-      if constexpr (kHasOperation<Target, Run>) {
-        if constexpr (kIndexed) hide_value(i);  // otherwise gcc doubles it for every pixel, drawn or not
-        const auto colour = run.colour(target.lighting);
-        if constexpr (kIndexed) {
-          draw_operated<Target>(colour, typename Format::Cursor(pixels + i, 0), depths + i, depth, x, span.y);
+  do {  // tests at the end, which -Os would not move there
+    std::ptrdiff_t stop = last;
+    if constexpr (kLayered) {
+      const auto left = static_cast<std::int32_t>(last - i);
+      stop = i + run.template enter_layer<kOperates565<Format>>(target.lighting, place.z, dz, left);
+    }
+    do {
+      // Otherwise gcc multiplies each step by the number of pixels, behind a piece.
+      if constexpr (kIndexed || kLayered) hide_value<kLayered>(i);
+      const std::uint16_t depth = depth_of(place.z);
+      std::uint16_t* const stored = kIndexed ? depths + i : place.depths;
+      if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
+        const std::int32_t x = origin + static_cast<std::int32_t>(i);
+        if constexpr (kHasOperation<Target, Run>) {
+          if constexpr (kIndexed) hide_value(i);  // otherwise gcc doubles it for every pixel, drawn or not
+          const auto colour = run.colour(target.lighting);
+          if constexpr (kIndexed) {
+            draw_operated<Target>(colour, typename Format::Cursor(pixels + i, 0), depths + i, depth, x,
+                                  span.y);
+          } else {
+            draw_operated<Target>(colour, place.cursor, stored, depth, x, span.y);
+          }
         } else {
-          draw_operated<Target>(colour, place.cursor, stored, depth, x, span.y);
-        }
-      } else {
-        if constexpr (kTests && Target::Depth::kWrites) *stored = depth;
-        const auto encoded = encode_at<Format>(run.colour(target.lighting), x, span.y);
-        if constexpr (kIndexed) {
-          pixels[i] = encoded;
-        } else {
-          place.cursor.write(encoded);
+          if constexpr (kTests && Target::Depth::kWrites) *stored = depth;
+          const auto encoded = encode_at<Format>(run.colour(target.lighting), x, span.y);
+          if constexpr (kIndexed) {
+            pixels[i] = encoded;
+          } else {
+            place.cursor.write(encoded);
+          }
         }
       }
-    }
-    if constexpr (!kIndexed && kTests) ++place.depths;
-    if constexpr (kTests) place.z += dz;
-    if constexpr (!kIndexed) place.cursor.next();
-    run.next();
-  } while (++i != last);
+      if constexpr (!kIndexed && kTests) ++place.depths;
+      if constexpr (kTests) place.z += dz;
+      if constexpr (!kIndexed) place.cursor.next();
+      run.next();
+    } while (++i != stop);
+  } while (kLayered && i != last);
 }
 
 /// Draws the pixels of `run`, which begins at the first pixel of `span`, in the current row of `memory` or

@@ -18,20 +18,6 @@ namespace arcspan {
 
 namespace detail {
 
-/// True if the pixels of `Run` are in fog.
-template <class Target, class Run>
-inline constexpr bool kIsInFog = DepthColour<std::remove_cvref_t<decltype(std::declval<const Run&>().colour(
-    std::declval<const typename Target::Lighting&>()))>>;
-
-/// A colour in fog that is drawn nearer than it is.
-template <class C>
-struct BiasedColour : C {
-  std::uint32_t bias;
-  [[nodiscard]] ARCSPAN_INLINE constexpr auto at_depth(std::uint32_t depth) const {
-    return C::at_depth(depth + bias);
-  }
-};
-
 /// The walker of a method of one colour in fog, whose pixels are drawn nearer by `bias`: the fog is that of
 /// where they are.
 template <class Walker>
@@ -40,10 +26,11 @@ struct BiasedWalker {
     std::uint16_t bias;
     constexpr Run(const BiasedWalker& from, const RowStart& start)
         : Walker::Run(from.walker.row(start)), bias(from.bias) {}
-    template <class Lighting>
-    [[nodiscard]] ARCSPAN_INLINE constexpr auto colour(const Lighting& lighting) const {
-      using Colour = std::remove_cvref_t<decltype(Walker::Run::colour(lighting))>;
-      return BiasedColour<Colour>{Walker::Run::colour(lighting), bias};
+    template <bool As565, class Lighting>
+    [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter_layer(const Lighting& lighting, Linear z,
+                                                                    Linear dz, std::int32_t left) {
+      const Linear farther = Linear::from_raw(std::int32_t{bias} << Linear::kFraction);
+      return Walker::Run::template enter_layer<As565>(lighting, z + farther, dz, left);
     }
   };
   Walker walker;
@@ -55,7 +42,7 @@ struct BiasedWalker {
 template <class Target, class Walker>
 [[nodiscard]] ARCSPAN_INLINE constexpr auto behind_bias(const Walker& walker,
                                                         [[maybe_unused]] std::uint16_t bias) {
-  if constexpr (kIsInFog<Target, typename Walker::Run>) {
+  if constexpr (LayeredRun<typename Walker::Run, typename Target::Lighting>) {
     return BiasedWalker<Walker>{walker, bias};
   } else {
     return walker;
@@ -81,6 +68,8 @@ template <class Walker, class Target>
   if constexpr (!kHasManyRegisters) return draw_one_colour(at, walker, z, {}, target, memory);
   typename Walker::Run run = walker.row({});
   if constexpr (requires { run.begin(target.lighting, at.x, at.y); }) run.begin(target.lighting, at.x, at.y);
+  if constexpr (LayeredRun<typename Walker::Run, typename Target::Lighting>)
+    (void)run.template enter_layer<kOperates565<Format>>(target.lighting, z, {}, 1);
   const std::uint16_t depth = depth_of(z);
   std::uint16_t* const stored = memory.depths.at(at);
   typename Format::Cursor cursor = memory.pixels.open(at);

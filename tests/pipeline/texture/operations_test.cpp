@@ -42,6 +42,8 @@ constexpr std::int32_t kFar = 60000;
 constexpr std::int32_t kFogStart = 12000;
 constexpr std::int32_t kFogEnd = 40000;
 constexpr Rgb8 kFogColour{200, 120, 40};
+constexpr double kFull = Fog::kFull;
+constexpr double kStepsPerShare = 255 / kFull;
 constexpr DrawFeatures kFeatures{.clips = false, .planes = false, .small_triangles = false};
 
 /// A slope of two triangles that leads away from the camera, with texture points and colours.
@@ -282,6 +284,43 @@ TEMPLATE_TEST_CASE("fog and blending are the interpreter's in every format", "[t
   CHECK(largest_difference<TestType, Gray4>() <= kStepGray4);
 }
 
+TEMPLATE_TEST_CASE("every pixel has the fog of its depth, however many layers a row goes through",
+                   "[textures]", Rgb565, Rgb888) {
+  using Method = WithOperation<UnlitVertexColoured, Fogged>;
+  const double turn =
+      GENERATE(0.0, 0.3, 1.2, 1.4, 1.5);  // radians from a triangle of one depth to a steep one
+  std::array<ObjectPosition, 3> corners{{{-9000, -9000, 0}, {9000, -9000, 0}, {0, 9000, 0}}};
+  for (ObjectPosition& corner : corners) {
+    const double x = corner.x;
+    corner.x = static_cast<std::int16_t>(std::lround(x * std::cos(turn)));
+    corner.z = static_cast<std::int16_t>(std::lround(x * std::sin(turn) * 2));
+  }
+  constexpr std::array<PackedNormal, 3> kNormals{};
+  constexpr std::array<std::uint8_t, 3> kIndices{0, 1, 2};
+  constexpr std::array<Rgb8, 3> kColours{{{255, 255, 255}, {255, 255, 255}, {255, 255, 255}}};
+  MeshView mesh;
+  REQUIRE(ok(MeshView::make(corners, kNormals, kIndices, mesh)));
+  REQUIRE(ok(mesh.attach(kColours)));
+  Picture<TestType> picture;
+  picture.frame.clear({0, 0, 0});
+  picture.depth.clear();
+  const Fogged fogged = parameters<Fogged>();
+  const typename Method::Lighting lighting(FullLight{}, fogged);
+  REQUIRE(ok(draw_mesh<Method>(mesh, camera(), lighting, picture.frame, picture.depth).status));
+  int drawn = 0;
+  for (std::int32_t y = 0; y < kHeight; ++y) {
+    for (std::int32_t x = 0; x < kWidth; ++x) {
+      const std::uint16_t depth = picture.depths[picture.index(x, y)];
+      if (depth == DepthBuffer::kFarthest) continue;
+      ++drawn;
+      const auto white = PackedRgb::of(Rgb8{255, 255, 255});
+      const auto in_fog = fogged.at_depth<detail::kOperates565<TestType>>(depth)(white);
+      REQUIRE(picture.frame.pixel(x, y) == TestType::decode(encode_at<TestType>(in_fog, x, y)));
+    }
+  }
+  CHECK(drawn > 90);
+}
+
 TEST_CASE("operations nest: texels with alpha are blended in fog", "[textures]") {
   using Method = WithOperation<WithOperation<TexturedSurface, Fogged>, Opacity<>>;
   Picture<Rgb565> picture;
@@ -475,8 +514,8 @@ TEST_CASE("fog is within 1.5 steps of 255 at every depth, and complete at its en
     const auto depth = static_cast<std::uint16_t>(i);
     const double wanted = share_of_fog(range, depth);
     const std::uint32_t share = made.share(depth);
-    worst = std::max(worst, std::abs(share - wanted * 255));
-    incomplete += wanted >= 1 && share != 255 ? 1 : 0;
+    worst = std::max(worst, std::abs(share * kStepsPerShare - wanted * 255));
+    incomplete += wanted >= 1 && share != Fog::kFull ? 1 : 0;
   }
   CHECK(worst <= 1.4);
   CHECK(incomplete == 0);
@@ -491,7 +530,7 @@ TEST_CASE("fog a thousandth of its distance thick is as exact", "[textures]") {
   double worst = 0;
   for (std::int32_t i = 256; i <= 65535 - 256; ++i) {
     const auto depth = static_cast<std::uint16_t>(i);
-    worst = std::max(worst, std::abs(made.share(depth) - share_of_fog(range, depth) * 255));
+    worst = std::max(worst, std::abs(made.share(depth) * kStepsPerShare - share_of_fog(range, depth) * 255));
   }
   CHECK(worst <= 1.5);
 }
@@ -507,15 +546,17 @@ TEST_CASE("fog of another colour is that which make() makes of it", "[textures]"
   CHECK(changed.colour().lanes == PackedRgb::of(kNight).lanes);
   CHECK(night.colour().lanes == PackedRgb::of(kNight).lanes);
   CHECK(changed.spread_colour() == night.spread_colour());
-  for (std::uint32_t depth = 0; depth < 65536; depth += 13)
-    REQUIRE(changed.share(depth) == night.share(depth));
+  for (std::uint32_t depth = 0; depth < 65536; depth += 13) {
+    const auto at = static_cast<std::uint16_t>(depth);
+    REQUIRE(changed.share(at) == night.share(at));
+  }
 }
 
 TEST_CASE("fog grows linearly with the distance of what is drawn", "[textures]") {
   const ClipTransform transform = camera();
   for (double w = kNear; w <= kFar; w += 61) {
     const auto near_over_w = static_cast<std::int32_t>(std::lround(std::ldexp(kNear / w, 29)));
-    const double share = fog().share(transform.depth(near_over_w)) / 255.0;
+    const double share = fog().share(transform.depth(near_over_w)) / kFull;
     REQUIRE(std::abs(share - std::clamp((w - kFogStart) / (kFogEnd - kFogStart), 0.0, 1.0)) <= 0.004);
   }
 }
@@ -572,7 +613,7 @@ TEST_CASE("fog before an orthographic camera grows linearly, too", "[textures]")
     const std::int32_t z = WorldLength::of(10).raw() - WorldLength::of(0.125).raw() * eighths;
     const std::uint16_t depth = lens.project({{}, {}, WorldLength::from_raw(z)}).depth;
     const double share = std::clamp((eighths / 8.0 - 2) / 6, 0.0, 1.0);
-    REQUIRE(std::abs(made.share(depth) / 255.0 - share) <= 0.006);
+    REQUIRE(std::abs(made.share(depth) / kFull - share) <= 0.006);
   }
 }
 
@@ -583,9 +624,10 @@ TEST_CASE("fog within fog is seen through both", "[textures]") {
                        {0, 255, 0}, green)));
   constexpr PackedRgb kSurface = PackedRgb::of(800, 700, 600);
   for (std::uint32_t depth = 256; depth < 65280; depth += 777) {
-    const auto within = Fogged{&green}(kSurface).at_depth(depth);
-    const auto both = Fogged{&fog()}(Fogged{&green}(kSurface)).at_depth(depth);
-    REQUIRE(both.packed().lanes == Fogged{&fog()}(within.packed()).at_depth(depth).packed().lanes);
+    const auto at = static_cast<std::uint16_t>(depth);
+    const auto within = Fogged{&green}.at_depth<false>(at)(kSurface);
+    const auto both = Fogged{&fog()}.at_depth<false>(at)(within);
+    REQUIRE(both.packed().lanes == Fogged{&fog()}.at_depth<false>(at)(within.packed()).packed().lanes);
   }
 }
 
@@ -648,6 +690,6 @@ TEST_CASE("fog refuses ranges that make no sense, and keeps what it was") {
   }
   for (std::uint32_t depth = 0; depth < 65536; depth += 13) {
     const auto at = static_cast<std::uint16_t>(depth);
-    REQUIRE(std::abs(fog().share(at) / 255.0 - share_of_fog(at)) <= 0.008);
+    REQUIRE(std::abs(fog().share(at) / kFull - share_of_fog(at)) <= 0.008);
   }
 }

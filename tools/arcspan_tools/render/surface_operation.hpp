@@ -46,11 +46,12 @@ struct SurfaceOperation {
   bool is_textured = false;   ///< false if the texture is there only because the method has one
   bool grey_light = false;    ///< as TexelLight::kGrey
 
-  /// A colour whose depth is not known yet.
+  /// A colour before it is a SurfacePixel.
   template <class C>
   struct Result {
     C colour;
     const SurfaceOperation* operation;
+    std::uint16_t depth;
 
     [[nodiscard]] bool covers(std::int32_t x, std::int32_t y) const {
       if (is_blended(operation->transparency)) return share() != 0;
@@ -58,8 +59,8 @@ struct SurfaceOperation {
       return operation->transparency != Transparency::kScreenDoor ||
              ScreenDoor{operation->opacity}.in_row(x, y)(packed()).covers(x, y);
     }
-    [[nodiscard]] SurfacePixel at_depth(std::uint32_t depth) const {
-      return {packed(), rgb565(), static_cast<std::uint16_t>(depth), texel_opacity(), operation};
+    [[nodiscard]] SurfacePixel pixel() const {
+      return {packed(), rgb565(), depth, texel_opacity(), operation};
     }
     [[nodiscard]] PackedRgb packed() const { return arcspan::detail::packed_colour(colour); }
 
@@ -85,10 +86,27 @@ struct SurfaceOperation {
     }
   };
 
-  template <class C>
-  [[nodiscard]] auto operator()(const C& colour) const {
-    return Result<C>{colour, this};
-  }
+  /// The operation on pixels of one depth.
+  struct Constant {
+    const SurfaceOperation* operation = nullptr;
+    std::uint16_t depth = 0;
+
+    template <class C>
+    [[nodiscard]] auto operator()(const C& colour) const {
+      return Result<C>{colour, operation, depth};
+    }
+  };
+  [[nodiscard]] static Constant in_row(std::int32_t, std::int32_t) { return {}; }
+
+  /// Every pixel is a layer of its own, because a SurfacePixel has a depth.
+  struct Layer {
+    template <bool As565>
+    [[nodiscard]] static std::int32_t enter(const SurfaceOperation& operation, Linear z, Linear, std::int32_t,
+                                            Constant& here) {
+      here = {&operation, depth_of(z)};
+      return 1;
+    }
+  };
 };
 
 /// The pixel of a surface at (x, y) of the picture, over `below`, as the library draws it.
@@ -98,11 +116,7 @@ template <PixelFormat Format>
                                                       std::int32_t y) {
   const SurfaceOperation& operation = *surface.operation;
   const auto drawn = [&](const auto& colour) {
-    if constexpr (requires { colour.at_depth(surface.depth); }) {
-      return arcspan::detail::operated<Format>(colour.at_depth(surface.depth), below, x, y);
-    } else {
-      return arcspan::detail::operated<Format>(colour, below, x, y);
-    }
+    return arcspan::detail::operated<Format>(colour, below, x, y);
   };
   const auto blended = [&](const auto& colour) {
     switch (operation.transparency) {
@@ -118,7 +132,9 @@ template <PixelFormat Format>
     }
     return drawn(colour);
   };
-  return operation.fog == nullptr ? blended(surface) : blended(Fogged{operation.fog}(surface));
+  if (operation.fog == nullptr) return blended(surface);
+  const Fogged fogged{operation.fog};
+  return blended(fogged.at_depth<arcspan::detail::kOperates565<Format>>(surface.depth)(surface));
 }
 
 }  // namespace arcspan::tools

@@ -43,7 +43,10 @@ struct SurfaceFormat {
   };
 
   [[nodiscard]] static std::size_t words_per_row(std::int32_t) { return 1; }
-  [[nodiscard]] static Encoded encode(const SurfacePixel& surface) { return surface; }
+  template <class C>
+  [[nodiscard]] static Encoded encode(const SurfaceOperation::Result<C>& colour) {
+    return colour.pixel();
+  }
   [[nodiscard]] static Encoded encode(Rgb8) { return {}; }
   [[nodiscard]] static Encoded encode_dithered(Rgb8, std::int32_t, std::int32_t) { return {}; }
   [[nodiscard]] static Rgb8 decode(const Encoded& surface) { return surface.colour.rgb8(); }

@@ -46,6 +46,19 @@ concept IndexedRows = kHasManyRegisters && kScalesIndices && bool{Target::Depth:
   cursor.pixels();
 };
 
+/// Draws a pixel at (x, y) that has passed the depth test.
+template <class Target, class Run>
+ARCSPAN_INLINE constexpr void draw_passed(const Run& run, const Target& target,
+                                          typename Target::Format::Cursor& cursor, std::uint16_t* stored,
+                                          std::uint16_t depth, std::int32_t x, std::int32_t y) {
+  if constexpr (kHasOperation<Target, Run>) {
+    draw_operated<Target>(run.colour(target.lighting), cursor, stored, depth, x, y);
+  } else {
+    if constexpr (Target::Depth::kTests && Target::Depth::kWrites) *stored = depth;
+    cursor.write(encode_at<typename Target::Format>(run.colour(target.lighting), x, y));
+  }
+}
+
 /// Draws span.count pixels, at least one, each only if it passes the depth test: Target::Depth::passes().
 /// `dz` is the gradient of the depth per pixel.
 ///
@@ -58,10 +71,14 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
   constexpr bool kTests = Target::Depth::kTests;
   constexpr bool kIndexed = IndexedRows<Target>;
   constexpr bool kLayered = LayeredRun<Run, typename Target::Lighting>;
+  // Where a row has several pieces, gcc multiplies steps by the number of pixels behind each, if it knows it.
+  constexpr bool kCountsByDepth =
+      !kIndexed && kTests && (kLayered || kWalksWholeRows<Run, typename Target::Lighting>);
   static_assert(!kLayered || kTests, "fog needs the depth of each pixel: draw with a depth target");
   const std::int32_t origin = kIndexed ? span.x + span.count : span.x;
   [[maybe_unused]] typename Format::Encoded* pixels = nullptr;
   std::uint16_t* depths = place.depths;
+  std::uint16_t*& walked = kCountsByDepth ? depths : place.depths;
   if constexpr (kIndexed) {
     pixels = place.cursor.pixels();
     hide_value(pixels);  // otherwise gcc replaces the index by two pointers
@@ -78,38 +95,31 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
       const auto left = static_cast<std::int32_t>(last - i);
       stop = i + run.template enter_layer<kOperates565<Format>>(target.lighting, place.z, dz, left);
     }
+    [[maybe_unused]] const std::uint16_t* const end = depths + (stop - i);
     do {
-      // Otherwise gcc multiplies each step by the number of pixels, behind a piece.
-      if constexpr (kIndexed || kLayered) hide_value<kLayered>(i);
+      if constexpr (kIndexed) hide_value(i);
       const std::uint16_t depth = depth_of(place.z);
-      std::uint16_t* const stored = kIndexed ? depths + i : place.depths;
+      std::uint16_t* const stored = kIndexed ? depths + i : walked;
       if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
         const std::int32_t x = origin + static_cast<std::int32_t>(i);
-        if constexpr (kHasOperation<Target, Run>) {
-          if constexpr (kIndexed) hide_value(i);  // otherwise gcc doubles it for every pixel, drawn or not
-          const auto colour = run.colour(target.lighting);
-          if constexpr (kIndexed) {
-            draw_operated<Target>(colour, typename Format::Cursor(pixels + i, 0), depths + i, depth, x,
-                                  span.y);
-          } else {
-            draw_operated<Target>(colour, place.cursor, stored, depth, x, span.y);
-          }
+        if constexpr (kIndexed) {
+          // Otherwise gcc doubles it for every pixel, drawn or not.
+          if constexpr (kHasOperation<Target, Run>) hide_value(i);
+          typename Format::Cursor cursor(pixels + i, 0);
+          draw_passed(run, target, cursor, depths + i, depth, x, span.y);
         } else {
-          if constexpr (kTests && Target::Depth::kWrites) *stored = depth;
-          const auto encoded = encode_at<Format>(run.colour(target.lighting), x, span.y);
-          if constexpr (kIndexed) {
-            pixels[i] = encoded;
-          } else {
-            place.cursor.write(encoded);
-          }
+          draw_passed(run, target, place.cursor, stored, depth, x, span.y);
         }
       }
-      if constexpr (!kIndexed && kTests) ++place.depths;
+      if constexpr (!kIndexed && kTests) ++walked;
       if constexpr (kTests) place.z += dz;
       if constexpr (!kIndexed) place.cursor.next();
       run.next();
-    } while (++i != stop);
+      ++i;
+      if constexpr (kCountsByDepth) hide_value<true>(depths);
+    } while (kCountsByDepth ? depths != end : i != stop);
   } while (kLayered && i != last);
+  if constexpr (kCountsByDepth) place.depths = depths;
 }
 
 /// Draws the pixels of `run`, which begins at the first pixel of `span`, in the current row of `memory` or

@@ -46,19 +46,6 @@ concept IndexedRows = kHasManyRegisters && kScalesIndices && bool{Target::Depth:
   cursor.pixels();
 };
 
-/// Draws a pixel at (x, y) that has passed the depth test.
-template <class Target, class Run>
-ARCSPAN_INLINE constexpr void draw_passed(const Run& run, const Target& target,
-                                          typename Target::Format::Cursor& cursor, std::uint16_t* stored,
-                                          std::uint16_t depth, std::int32_t x, std::int32_t y) {
-  if constexpr (kHasOperation<Target, Run>) {
-    draw_operated<Target>(run.colour(target.lighting), cursor, stored, depth, x, y);
-  } else {
-    if constexpr (Target::Depth::kTests && Target::Depth::kWrites) *stored = depth;
-    cursor.write(encode_at<typename Target::Format>(run.colour(target.lighting), x, y));
-  }
-}
-
 /// Draws span.count pixels, at least one, each only if it passes the depth test: Target::Depth::passes().
 /// `dz` is the gradient of the depth per pixel.
 ///
@@ -84,16 +71,15 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
     hide_value(pixels);  // otherwise gcc replaces the index by two pointers
     hide_value(depths);
   }
-  const auto count = static_cast<std::ptrdiff_t>(span.count);
-  const std::ptrdiff_t last = kIndexed ? 0 : count;
-  std::ptrdiff_t i = kIndexed ? -count : 0;
+  const std::ptrdiff_t last = kIndexed ? 0 : span.count;
+  std::ptrdiff_t i = last - span.count;
   if constexpr (requires { run.begin(target.lighting, span.x, span.y); })
     run.begin(target.lighting, span.x, span.y);
   do {  // tests at the end, which -Os would not move there
     std::ptrdiff_t stop = last;
     if constexpr (kLayered) {
-      const auto left = static_cast<std::int32_t>(last - i);
-      stop = i + run.template enter_layer<kOperates565<Format>>(target.lighting, place.z, dz, left);
+      stop = i + run.template enter_layer<kOperates565<Format>>(target.lighting, place.z, dz,
+                                                                static_cast<std::int32_t>(last - i));
     }
     [[maybe_unused]] const std::uint16_t* const end = depths + (stop - i);
     do {
@@ -102,13 +88,23 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
       std::uint16_t* const stored = kIndexed ? depths + i : walked;
       if (!kTests || Target::Depth::passes(depth, *stored)) [[likely]] {
         const std::int32_t x = origin + static_cast<std::int32_t>(i);
-        if constexpr (kIndexed) {
-          // Otherwise gcc doubles it for every pixel, drawn or not.
-          if constexpr (kHasOperation<Target, Run>) hide_value(i);
-          typename Format::Cursor cursor(pixels + i, 0);
-          draw_passed(run, target, cursor, depths + i, depth, x, span.y);
+        if constexpr (kHasOperation<Target, Run>) {
+          if constexpr (kIndexed) hide_value(i);  // otherwise gcc doubles it for every pixel, drawn or not
+          const auto colour = run.colour(target.lighting);
+          if constexpr (kIndexed) {
+            draw_operated<Target>(colour, typename Format::Cursor(pixels + i, 0), depths + i, depth, x,
+                                  span.y);
+          } else {
+            draw_operated<Target>(colour, place.cursor, stored, depth, x, span.y);
+          }
         } else {
-          draw_passed(run, target, place.cursor, stored, depth, x, span.y);
+          if constexpr (kTests && Target::Depth::kWrites) *stored = depth;
+          const auto encoded = encode_at<Format>(run.colour(target.lighting), x, span.y);
+          if constexpr (kIndexed) {
+            pixels[i] = encoded;
+          } else {
+            place.cursor.write(encoded);
+          }
         }
       }
       if constexpr (!kIndexed && kTests) ++walked;

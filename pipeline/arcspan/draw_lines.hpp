@@ -83,6 +83,12 @@ class LineStage {
   Status status_;
 };
 
+/// The point with its depth within those of the planes: the depth of a line that leads beyond it, and that of
+/// its fog, would wrap otherwise.
+[[nodiscard]] constexpr RasterPosition within_planes(const RasterPosition& p) {
+  return {p.x, p.y, static_cast<std::uint16_t>(biased_depth(p.z, 0))};
+}
+
 }  // namespace detail
 
 /// Draws lines of one colour, one pixel wide. Each is clipped, and tested against `depth` with its own depth
@@ -123,8 +129,9 @@ template <OneColour Method = Unlit, PixelSink Sink, DepthTarget Depth>
 }
 
 /// Draws a line between two points of the screen, whose coordinates and depths are those of RasterPosition,
-/// into a picture of the size of `viewport`. Returns kInvalidArgument, and draws nothing, if the size is not
-/// 1...2048 or a point is outside the guard band. All else as draw_lines().
+/// into a picture of the size of `viewport`. A depth beyond those of the planes, 256...65279, is taken as
+/// that of the plane. Returns kInvalidArgument, and draws nothing, if the size is not 1...2048 or a point is
+/// outside the guard band. All else as draw_lines().
 template <OneColour Method = Unlit, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] Status draw_screen_line(const RasterPosition& a, const RasterPosition& b,
                                       const Viewport& viewport, const typename Method::Lighting& colour,
@@ -132,7 +139,7 @@ template <OneColour Method = Unlit, PixelSink Sink, DepthTarget Depth>
   if (!detail::is_picture_size(viewport) || !in_guard_band(a) || !in_guard_band(b))
     return Status::kInvalidArgument;
   detail::LineStage<Method, Sink, Depth> stage(viewport, colour, sink, depth, bias);
-  if (stage.ready()) stage.draw(a, b);
+  if (stage.ready()) stage.draw(detail::within_planes(a), detail::within_planes(b));
   return stage.status();
 }
 

@@ -600,6 +600,28 @@ TEST_CASE("lines and points have the fog of where they are, whatever their bias"
   }
 }
 
+TEST_CASE("lines on the screen that lead beyond the planes have the fog of their depth", "[textures]") {
+  using Misty = WithOperation<Unlit, Fogged>;
+  const Misty::Lighting misty(Unlit::lighting({0, 0, 0}), parameters<Fogged>());
+  for (const auto& [from, to] : {std::pair{60700, 65535}, std::pair{4800, 0}}) {
+    // The centre of the last pixel is half a pixel behind the end.
+    const RasterPosition begin{-160, 0, static_cast<std::uint16_t>(from)};
+    const RasterPosition end{0, 0, static_cast<std::uint16_t>(to)};
+    Picture<Rgb888> picture;
+    picture.depth.clear();
+    REQUIRE(ok(draw_screen_line<Misty>(begin, end, {kWidth, kHeight}, misty, picture.frame, picture.depth)));
+    int drawn = 0;
+    for (std::int32_t x = 0; x < kWidth; ++x) {
+      const std::uint16_t depth = picture.depths[picture.index(x, kHeight / 2)];
+      if (depth == DepthBuffer::kFarthest) continue;
+      ++drawn;
+      const double wanted = share_of_fog(depth) * kFogColour.r;
+      CHECK(std::abs(picture.frame.pixel(x, kHeight / 2).r - wanted) <= 2);
+    }
+    CHECK(drawn == 11);
+  }
+}
+
 TEST_CASE("fog before an orthographic camera grows linearly, too", "[textures]") {
   Camera lens;
   REQUIRE(ok(Camera::make({WorldPoint::of(0, 0, 10), {}},

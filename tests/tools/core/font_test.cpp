@@ -279,6 +279,8 @@ TEST_CASE("BDF: what is wrong is told with its line") {
         "f: line 18: BBX needs an integer as its value 3, not ''");
   CHECK(bdf_error(replaced(kBdf, "BBX 3 4 1 0", "BBX 3 1024 1 0")) == "f: line 18: a box of 3x1024 pixels");
   CHECK(bdf_error(replaced(kBdf, "BBX 3 4 1 0", "BBX 3 4 1 9999")) == "f: line 18: a box at 9999");
+  CHECK(bdf_error(replaced(kBdf, "DWIDTH 5", "DWIDTH 536870915")) ==
+        "f: line 17: a step of the pen of 536870915 pixels");
   CHECK(bdf_error(replaced(kBdf, "C0\n", "G0\n")) == "f: line 21: 'G0' is not hexadecimal");
   CHECK(bdf_error(replaced(kBdf, "BBX 3 4 1 0", "BBX 9 4 1 0")) ==
         "f: line 20: a row of 9 pixels has 2 digits only");

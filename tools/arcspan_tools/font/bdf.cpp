@@ -27,7 +27,7 @@ class BdfReader {
     while (next()) {
       if (keyword_ == "STARTPROPERTIES") read_properties();
       if (keyword_ == "FONTBOUNDINGBOX") box_ = read_box();
-      if (keyword_ == "DWIDTH") dwidth_ = integer(0);
+      if (keyword_ == "DWIDTH") dwidth_ = read_step();
       if (keyword_ == "STARTCHAR") read_character();
       if (keyword_ == "ENDFONT") break;
     }
@@ -86,6 +86,14 @@ class BdfReader {
     return box;
   }
 
+  /// The step of the pen.
+  [[nodiscard]] std::int32_t read_step() const {
+    const std::int32_t step = integer(0);
+    if (step <= -kMostGlyphSide || step >= kMostGlyphSide)
+      lines_.fail("a step of the pen of " + std::to_string(step) + " pixels");
+    return step;
+  }
+
   void read_properties() {
     while (next() && keyword_ != "ENDPROPERTIES") properties_[std::string(keyword_)] = unquoted(value_);
     if (keyword_ != "ENDPROPERTIES") lines_.fail("the file ends within its properties");
@@ -100,7 +108,7 @@ class BdfReader {
     const std::string name(value_);
     while (next() && keyword_ != "ENDCHAR") {
       if (keyword_ == "ENCODING") code = integer(0);
-      if (keyword_ == "DWIDTH") advance = integer(0);
+      if (keyword_ == "DWIDTH") advance = read_step();
       if (keyword_ == "BBX") box = read_box();
       if (keyword_ == "STARTCHAR" || keyword_ == "ENDFONT") break;
       if (keyword_ != "BITMAP") continue;

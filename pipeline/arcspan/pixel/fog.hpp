@@ -72,7 +72,7 @@ class Fog {
     return depth >= first_depth<Layers>(Layers) ? Layers : layer_from<Layers, Layers / 2>(0, depth);
   }
   /// The first depth of a layer, 0...Layers + 1: half a step before its share is reached, so that shares are
-  /// rounded.
+  /// rounded; 5/8 of a step with fewer layers than kFull.
   template <std::uint32_t Layers>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t first_depth(std::uint32_t layer) const {
     constexpr std::uint32_t kStep = kFull / Layers;

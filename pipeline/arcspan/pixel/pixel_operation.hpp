@@ -17,8 +17,8 @@
 /// function object that takes a colour and returns a colour of another type, which has one of the optional
 /// members of colour.hpp. If the operation depends on the position, it has in_row(x, y) instead,
 /// which returns a function object for the run of pixels that begins there; its next() moves to the next
-/// pixel. If it depends on the depth, it has a type Layer of function objects (Fogged).
-/// shading/with_operation.hpp adds an operation to a shading method.
+/// pixel. If it depends on the depth, it has a type Layer, whose enter() sets that function object for the
+/// pixels of a layer of depths (Fogged). shading/with_operation.hpp adds an operation to a shading method.
 namespace arcspan {
 
 namespace detail {

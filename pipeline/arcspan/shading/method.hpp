@@ -41,9 +41,8 @@
 ///       static Status walk(Prepared&, auto&& draw) { return draw(Walker()); }
 ///     };
 ///
-/// Optional parts, each a concept of its own: PiecewiseRun and LightRun of a run;
-/// TakesVertexData, NeedsNearOverW (prepare/triangle_command.hpp), DrawsSmallTriangles and DrawsEdges of a
-/// method.
+/// Optional parts, each a concept of its own: PiecewiseRun and LightRun of a run; TakesVertexData,
+/// NeedsNearOverW (prepare/triangle_command.hpp), DrawsSmallTriangles and DrawsEdges of a method.
 namespace arcspan {
 
 /// The type of a colour that a run hands to the pixel format.

@@ -26,7 +26,7 @@ template <class Operation>
     return operation;
 }
 
-/// The function object of an operation that depends on the depth. It lives as long as a triangle.
+/// An operation that depends on the depth. Its Layer lives as long as a triangle.
 template <class Operation>
 concept LayeredOperation = requires {
   typename Operation::Layer;

@@ -65,23 +65,27 @@ ARCSPAN_INLINE constexpr void draw_pixels(PixelPlace<Target>& place, const Span&
   const std::int32_t origin = kIndexed ? span.x + span.count : span.x;
   [[maybe_unused]] typename Format::Encoded* pixels = nullptr;
   std::uint16_t* depths = place.depths;
+  // A member that is hidden would stay in memory.
   std::uint16_t*& walked = kCountsByDepth ? depths : place.depths;
   if constexpr (kIndexed) {
     pixels = place.cursor.pixels();
     hide_value(pixels);  // otherwise gcc replaces the index by two pointers
     hide_value(depths);
   }
-  const std::ptrdiff_t last = kIndexed ? 0 : span.count;
-  std::ptrdiff_t i = last - span.count;
+  const auto count = static_cast<std::ptrdiff_t>(span.count);
+  const std::ptrdiff_t last = kIndexed ? 0 : count;
+  std::ptrdiff_t i = last - count;
   if constexpr (requires { run.begin(target.lighting, span.x, span.y); })
     run.begin(target.lighting, span.x, span.y);
   do {  // tests at the end, which -Os would not move there
     std::ptrdiff_t stop = last;
     if constexpr (kLayered) {
-      stop = i + run.template enter_layer<kOperates565<Format>>(target.lighting, place.z, dz,
-                                                                static_cast<std::int32_t>(last - i));
+      const auto left = static_cast<std::int32_t>(last - i);
+      stop = i + static_cast<std::ptrdiff_t>(
+                     run.template enter_layer<kOperates565<Format>>(target.lighting, place.z, dz, left));
     }
-    [[maybe_unused]] const std::uint16_t* const end = depths + (stop - i);
+    [[maybe_unused]] const std::uint16_t* end = nullptr;
+    if constexpr (kCountsByDepth) end = depths + (stop - i);
     do {
       if constexpr (kIndexed) hide_value(i);
       const std::uint16_t depth = depth_of(place.z);

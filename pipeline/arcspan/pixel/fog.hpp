@@ -77,7 +77,8 @@ class Fog {
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t first_depth(std::uint32_t layer) const {
     constexpr std::uint32_t kStep = kFull / Layers;
     static_assert(kStep == 1 || kStep / 2 == kBefore);
-    return firsts_[static_cast<std::size_t>(kBefore - kStep / 2 + layer * kStep)];
+    const std::uint32_t entry = kBefore - kStep / 2 + layer * kStep;
+    return firsts_[static_cast<std::size_t>(entry)];
   }
 
  private:
@@ -98,7 +99,8 @@ class Fog {
     }
   }
   [[nodiscard]] constexpr std::uint16_t& first(std::uint32_t share) {
-    return firsts_[static_cast<std::size_t>(kBefore + share)];
+    const std::uint32_t entry = kBefore + share;
+    return firsts_[static_cast<std::size_t>(entry)];
   }
   /// The distance from which a share is the nearest one, 8 fraction bits.
   [[nodiscard]] static constexpr std::int64_t distance_of(const FogRange& range, std::uint32_t share) {
@@ -136,9 +138,8 @@ struct Fogged {
 
   /// The fog in a layer, for 5-6-5 pixels or for a PackedRgb.
   struct Constant {
-    std::uint32_t rest = 0;  ///< the share of the surface: 0...32, or 0...Fog::kFull
-    std::uint32_t part =
-        0;  ///< the spread colour of the fog times its share, plus half a step, or its colour
+    std::uint32_t rest;  ///< the share of the surface: 0...32, or 0...Fog::kFull
+    std::uint32_t part;  ///< the fog's spread colour times its share, plus half a step; or its colour
 
     template <class C>
     [[nodiscard]] ARCSPAN_INLINE constexpr auto operator()(const C& surface) const {
@@ -170,6 +171,8 @@ struct Fogged {
   /// The layer that pixels of a triangle are in.
   class Layer {
    public:
+    constexpr Layer() {}  // not trivial, because compilers call memset for the whole
+
     /// Enters the layer of a pixel of depth `z`, the first of `left` in a row. Returns how many of them, at
     /// least one, are in it, and sets the fog there.
     template <bool As565>
@@ -217,17 +220,17 @@ struct Fogged {
 
     std::int32_t first_ = 0;       ///< depth
     std::uint32_t thickness_ = 0;  ///< in depths; 0 before the first pixel
-    Constant here_{};
+    Constant here_;                ///< set with thickness_
   };
   /// Of a row before its first pixel.
   [[nodiscard]] ARCSPAN_INLINE static constexpr Constant in_row(std::int32_t, std::int32_t) { return {}; }
 
-  /// The fog at a depth, in front of a colour that becomes a 5-6-5 pixel (detail::kOperates565 of its format)
-  /// or a PackedRgb.
+  /// The fog at a depth, in front of a colour that becomes a 5-6-5 pixel without dither (`As565`), or a
+  /// PackedRgb.
   template <bool As565>
   [[nodiscard]] constexpr Constant at_depth(std::uint16_t depth) const {
     Layer layer;
-    Constant here;
+    Constant here{};
     (void)layer.enter<As565>(*this, Linear::from_raw(std::int32_t{depth} << Linear::kFraction), {}, 1, here);
     return here;
   }

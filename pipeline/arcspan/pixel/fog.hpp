@@ -85,7 +85,7 @@ class Fog {
   static constexpr std::int32_t kNearest = 256;  ///< depths of the planes: ClipTransform::kDepthMargin
   static constexpr std::int32_t kSpan = 65535 - 2 * kNearest;
   static constexpr std::uint16_t kNever = 65535;
-  static constexpr std::uint32_t kBefore = 2;
+  static constexpr std::uint32_t kBefore = 2;  ///< entries before that of share 0, for first_depth()
 
   /// The layer of a depth between `from` and the layer 2 Step farther: by halves, without a loop.
   template <std::uint32_t Layers, std::uint32_t Step>
@@ -113,7 +113,8 @@ class Fog {
     const std::int64_t farthest = std::int64_t{range.far_plane} << 8;
     if (distance <= nearest) return 0;
     if (distance > farthest) return kNever;
-    // By ClipTransform::depth(): 256 + 65023 (1 - near / w) / (1 - near / far). Thin fog needs the bits.
+    // By ClipTransform::depth(): 256 + 65023 (1 - near / w) / (1 - near / far). Thin fog needs all bits that
+    // fit.
     int bits = 40;
     while (!range.orthographic && nearest >> (62 - bits) != 0) --bits;
     const auto beyond = [&](std::int64_t w) {
@@ -148,7 +149,7 @@ struct Fogged {
     }
   };
 
-  /// A surface in fog. It knows the one of packed() and rgb565() for which its Constant is.
+  /// A surface in fog. Only one of packed() and rgb565() is right: that for which its Constant was made.
   template <class C>
   struct Result : WrappedColour<C> {
     Constant fog;
@@ -178,10 +179,10 @@ struct Fogged {
     template <bool As565>
     [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Fogged& operation, Linear z, Linear dz,
                                                               std::int32_t left, Constant& here) {
-      // Hidden, because the loop over pixels would take two instructions for a depth.
+      // Hidden, or gcc would take two instructions for the depth of each pixel.
       const Linear first = Linear::from_raw(hidden(z.raw()));
       if (!holds(first) || !holds(behind(first, dz, left - 1)))
-        left = count<As565>(*operation.fog, first, dz, left);
+        left = find_and_count<As565>(*operation.fog, first, dz, left);
       here = here_;
       return left;
     }
@@ -193,11 +194,11 @@ struct Fogged {
     [[nodiscard]] ARCSPAN_INLINE constexpr bool holds(Linear z) const {
       return static_cast<std::uint32_t>(depth_of(z) - first_) < thickness_;
     }
-    /// enter() of a row with several layers, or another one.
+    /// enter() where the layer is another one, or ends within the row.
     template <bool As565>
-    [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t count(const Fog& whole, Linear z, Linear dz,
-                                                               std::int32_t left) {
-      if (!holds(z)) find<As565>(whole, depth_of(z));
+    [[nodiscard]] ARCSPAN_OUTLINE constexpr std::int32_t find_and_count(const Fog& layers, Linear z,
+                                                                        Linear dz, std::int32_t left) {
+      if (!holds(z)) find<As565>(layers, depth_of(z));
       if (holds(behind(z, dz, left - 1))) return left;
       std::int32_t count = 1;
       std::int32_t step = 1;
@@ -207,14 +208,15 @@ struct Fogged {
       }
       return count;
     }
+    /// Sets the layer of a depth.
     template <bool As565>
-    ARCSPAN_INLINE constexpr void find(const Fog& whole, std::int32_t depth) {
+    ARCSPAN_INLINE constexpr void find(const Fog& layers, std::int32_t depth) {
       constexpr std::uint32_t kLayers = As565 ? Fog::kFull / 4 : Fog::kFull;
-      const std::uint32_t found = whole.layer<kLayers>(depth);
-      first_ = whole.first_depth<kLayers>(found);
-      thickness_ = static_cast<std::uint32_t>(whole.first_depth<kLayers>(found + 1) - first_);
+      const std::uint32_t found = layers.layer<kLayers>(depth);
+      first_ = layers.first_depth<kLayers>(found);
+      thickness_ = static_cast<std::uint32_t>(layers.first_depth<kLayers>(found + 1) - first_);
       const std::uint32_t part =
-          As565 ? whole.spread_colour() * found + detail::kSpreadHalf : whole.colour().lanes;
+          As565 ? layers.spread_colour() * found + detail::kSpreadHalf : layers.colour().lanes;
       here_ = {kLayers - found, part};
     }
 
@@ -222,7 +224,7 @@ struct Fogged {
     std::uint32_t thickness_ = 0;  ///< in depths; 0 before the first pixel
     Constant here_;                ///< set with thickness_
   };
-  /// Of a row before its first pixel.
+  /// What a row begins with, until Layer::enter() sets it.
   [[nodiscard]] ARCSPAN_INLINE static constexpr Constant in_row(std::int32_t, std::int32_t) { return {}; }
 
   /// The fog at a depth, in front of a colour that becomes a 5-6-5 pixel without dither (`As565`), or a

@@ -81,9 +81,9 @@ concept AlphaColour = requires(const C& c) {
 };
 
 /// A run with an operation that depends on the layer of depths: fog. enter_layer() is called before each
-/// piece of a row. It gets the depth of its first pixel, the gradient of the depth, and the number of pixels
-/// left, and returns how many of them lie in the layer of the first. Its parameter is kOperates565 of the
-/// pixel format.
+/// piece of a row, and sets the fog of the piece. It gets the depth of the piece's first pixel, the change of
+/// the depth per pixel, and the number of pixels left in the row; it returns how many of them the piece has.
+/// Its parameter is kOperates565 of the pixel format.
 template <class R, class Lighting>
 concept LayeredRun = requires(R run, const Lighting& lighting, Linear z, std::int32_t left) {
   { run.template enter_layer<true>(lighting, z, z, left) } -> std::same_as<std::int32_t>;

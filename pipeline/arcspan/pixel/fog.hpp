@@ -25,11 +25,11 @@ struct FogRange {
   bool orthographic = false;  ///< whether the camera has an orthographic lens
 };
 
-/// Fog: the share of its colour grows linearly with the distance, from 0 at `start` to 1 at `end`. It is that
-/// of the depth of each pixel, so that it is right on large triangles too. It needs a depth buffer.
+/// Fog: the share of its colour grows linearly with the distance, from 0 at `start` to 1 at `end`. Each
+/// pixel has the share of its depth, which is right on large triangles too. Fog needs a depth buffer.
 ///
-/// The depths of equal share are a layer. Rows are drawn in pieces that lie within a layer, where fog is a
-/// constant.
+/// Depths are divided into layers of equal share, in steps of 1/128, for 5-6-5 pixels of 1/32. Rows are
+/// drawn in pieces that lie within a layer, where fog is a constant.
 ///
 /// Made once per camera, which takes 23,000 instructions on a Cortex-M3; the colour may change in each
 /// frame. An operation refers to it, so it must outlive drawing.
@@ -62,8 +62,8 @@ class Fog {
   /// The colour as a spread 5-6-5 pixel.
   [[nodiscard]] constexpr std::uint32_t spread_colour() const { return spread_; }
 
-  /// The share of the fog at a depth, 0...kFull. Its error is at most 1.5/255 if far_plane is at most 1000
-  /// near_plane, and end - start at least 1/1000 of `end`.
+  /// The share of the fog at a depth, 0...kFull. Against the distance of that depth it is off by at most
+  /// 1.5/255 if far_plane is at most 1000 near_plane, and end - start at least 1/1000 of `end`.
   [[nodiscard]] constexpr std::uint32_t share(std::uint16_t depth) const { return layer<kFull>(depth); }
 
   /// The layer of a depth, 0...Layers: the share in steps of 1/Layers. Layers is kFull or kFull / 4.
@@ -87,7 +87,7 @@ class Fog {
   static constexpr std::uint16_t kNever = 65535;
   static constexpr std::uint32_t kBefore = 2;  ///< entries before that of share 0, for first_depth()
 
-  /// The layer of a depth between `from` and the layer 2 Step farther: by halves, without a loop.
+  /// The layer of a depth, one of the 2 Step layers from `from` on: by halves, without a loop.
   template <std::uint32_t Layers, std::uint32_t Step>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t layer_from(std::uint32_t from,
                                                                   std::int32_t depth) const {
@@ -113,8 +113,7 @@ class Fog {
     const std::int64_t farthest = std::int64_t{range.far_plane} << 8;
     if (distance <= nearest) return 0;
     if (distance > farthest) return kNever;
-    // By ClipTransform::depth(): 256 + 65023 (1 - near / w) / (1 - near / far). Thin fog needs all bits that
-    // fit.
+    // By ClipTransform::depth(): 256 + 65023 (1 - near / w) / (1 - near / far). Thin fog needs many bits.
     int bits = 40;
     while (!range.orthographic && nearest >> (62 - bits) != 0) --bits;
     const auto beyond = [&](std::int64_t w) {
@@ -124,7 +123,7 @@ class Fog {
     return static_cast<std::uint16_t>(kNearest + (beyond(distance) * kSpan + all - 1) / all);
   }
 
-  /// Entry kBefore + n is the first depth whose share is n/128.
+  /// Entry kBefore + n is the first depth whose share is at least n/128.
   std::array<std::uint16_t, kBefore + kFull + 3> firsts_{};
   PackedRgb colour_{};
   std::uint32_t spread_ = 0;
@@ -172,14 +171,14 @@ struct Fogged {
   /// The layer that pixels of a triangle are in.
   class Layer {
    public:
-    constexpr Layer() {}  // not trivial, because compilers call memset for the whole
+    constexpr Layer() {}  // not trivial, or compilers would call memset for the object
 
     /// Enters the layer of a pixel of depth `z`, the first of `left` in a row. Returns how many of them, at
     /// least one, are in it, and sets the fog there.
     template <bool As565>
     [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Fogged& operation, Linear z, Linear dz,
                                                               std::int32_t left, Constant& here) {
-      // Hidden, or gcc would take two instructions for the depth of each pixel.
+      // Hidden, or gcc would share a shift with the loop over pixels, which then takes two instructions.
       const Linear first = Linear::from_raw(hidden(z.raw()));
       if (!holds(first) || !holds(behind(first, dz, left - 1)))
         left = find_and_count<As565>(*operation.fog, first, dz, left);

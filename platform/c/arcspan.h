@@ -87,8 +87,9 @@ typedef struct {
 
 typedef struct arcspan_scene arcspan_scene;
 typedef struct {
-  uint16_t objects;   /* parts of all models together */
-  uint16_t materials; /* different materials of all binaries together; each takes about 2 KB */
+  uint16_t objects; /* parts of all models together */
+  /* Different materials of all binaries together, and of arcspan_set_material(); each takes about 2 KB. */
+  uint16_t materials;
 } arcspan_scene_limits;
 
 /* The bytes of memory, at any address, that arcspan_scene_make() takes. */
@@ -178,6 +179,14 @@ arcspan_status arcspan_set_quaternion(arcspan_scene* scene, arcspan_object objec
 /* The rotation by `b`, then by `a`, of unit length, so that products do not drift. */
 arcspan_quaternion arcspan_multiply(arcspan_quaternion a, arcspan_quaternion b);
 arcspan_status arcspan_set_visible(arcspan_scene* scene, arcspan_object object, int visible);
+/* Draws all parts of an object or character by this material, on their textures; NULL: by their own again.
+ * A material that no part is drawn by any more makes room for another. Returns
+ *
+ *   ARCSPAN_INVALID_ARGUMENT   no such object, a coefficient is above 1, or a shininess not 1...256
+ *   ARCSPAN_BUFFER_TOO_SMALL   no room for the materials: one for each texture and look of the parts
+ *   ARCSPAN_UNSUPPORTED        the object is one of arcspan_add_model() */
+arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
+                                    const arcspan_material* material);
 
 typedef struct {
   arcspan_point least, most;

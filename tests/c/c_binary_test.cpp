@@ -416,6 +416,96 @@ TEST_CASE("light in steps is that of C++, a material of its own, and follows the
   CHECK(gradual.drawn() != dark);
 }
 
+/// How many materials the parts of a binary have, at least two.
+[[nodiscard]] std::uint16_t materials_of(Binary& binary) {
+  std::uint16_t count = 1;
+  while (true) {
+    const Scene2 scene({64, count});
+    if (arcspan_add_binary(scene.scene, binary.data(), binary.size, nullptr, nullptr) == ARCSPAN_OK) break;
+    ++count;
+  }
+  REQUIRE(count > 1);
+  return count;
+}
+
+TEST_CASE("an object is drawn by another material, and by its own again") {
+  Binary lamp("lamp.bin");
+  const arcspan_shares none{0, 0, 0};
+  const arcspan_shares white{32768, 32768, 32768};
+  const auto add = [&](const Scene2& scene, const arcspan_material* material, arcspan_object* object) {
+    const arcspan_look look{ARCSPAN_ARC, 1, 0, material, 0};
+    return arcspan_add_binary(scene.scene, lamp.data(), lamp.size, &look, object);
+  };
+  const std::uint16_t own = materials_of(lamp);
+  const arcspan_material red{{9000, 0, 0}, {20000, 0, 0}, white, 30};
+  for (const int more : {0, 1}) {
+    Scene2 scene({64, static_cast<std::uint16_t>(own + more)});
+    arcspan_object object = 99;
+    REQUIRE(add(scene, nullptr, nullptr) == ARCSPAN_OK);
+    REQUIRE(add(scene, nullptr, &object) == ARCSPAN_OK);
+    REQUIRE(arcspan_set_position(scene.scene, object, {ARCSPAN_LENGTH(0.2), 0, ARCSPAN_LENGTH(0.4)}) ==
+            ARCSPAN_OK);
+    REQUIRE(arcspan_set_angles(scene.scene, object, 9000, 0, 0) == ARCSPAN_OK);
+    const auto before = scene.drawn();
+    CHECK(arcspan_set_material(scene.scene, 1, &red) == ARCSPAN_INVALID_ARGUMENT);
+    for (const arcspan_material& wrong :
+         {arcspan_material{{32769, 0, 0}, none, none, 16}, arcspan_material{none, none, none, 0},
+          arcspan_material{none, none, none, 257}}) {
+      CHECK(arcspan_set_material(scene.scene, object, &wrong) == ARCSPAN_INVALID_ARGUMENT);
+    }
+    if (more == 0) {
+      CHECK(arcspan_set_material(scene.scene, object, &red) == ARCSPAN_BUFFER_TOO_SMALL);
+    } else {
+      // Many in the room of one, of which the last is seen, and follows the light.
+      for (std::uint16_t shade = 1; shade < 20; ++shade) {
+        const arcspan_material grey{none, {shade, shade, shade}, none, 16};
+        REQUIRE(arcspan_set_material(scene.scene, object, &grey) == ARCSPAN_OK);
+      }
+      REQUIRE(arcspan_set_material(scene.scene, object, &red) == ARCSPAN_OK);
+      Scene2 expected({64, static_cast<std::uint16_t>(own + 1)});
+      REQUIRE(add(expected, nullptr, nullptr) == ARCSPAN_OK);
+      REQUIRE(add(expected, &red, &object) == ARCSPAN_OK);
+      REQUIRE(arcspan_set_position(expected.scene, object, {ARCSPAN_LENGTH(0.2), 0, ARCSPAN_LENGTH(0.4)}) ==
+              ARCSPAN_OK);
+      REQUIRE(arcspan_set_angles(expected.scene, object, 9000, 0, 0) == ARCSPAN_OK);
+      CHECK((scene.drawn() == expected.drawn()));
+      const arcspan_light dim{{-1, 1, 2}, 0, 12000, white};
+      const arcspan_light bright{{-1, 1, 2}, 0, 32768, white};
+      for (const arcspan_light& light : {dim, bright}) {
+        REQUIRE(arcspan_set_lights(scene.scene, &light, 1, white) == ARCSPAN_OK);
+        REQUIRE(arcspan_set_lights(expected.scene, &light, 1, white) == ARCSPAN_OK);
+        CHECK((scene.drawn() == expected.drawn()));
+      }
+      CHECK((scene.drawn() != before));
+      // There is no room for what another object is drawn by, and there is when this one has its own again.
+      const arcspan_material blue{none, {0, 0, 20000}, none, 16};
+      CHECK(add(scene, &blue, nullptr) == ARCSPAN_BUFFER_TOO_SMALL);
+      CHECK((scene.drawn() == expected.drawn()));
+      REQUIRE(arcspan_set_material(scene.scene, object, nullptr) == ARCSPAN_OK);
+      CHECK((scene.drawn() == before));
+      REQUIRE(add(scene, &blue, &object) == ARCSPAN_OK);
+      CHECK(arcspan_set_visible(scene.scene, object, 0) == ARCSPAN_OK);
+    }
+    CHECK((scene.drawn() == before));
+  }
+  // A material for each texture, or nothing changes.
+  Binary sign("sign.bin");
+  const std::uint16_t room = materials_of(sign);
+  for (const int more : {1, 2}) {
+    Scene2 scene({64, static_cast<std::uint16_t>(room + more)});
+    arcspan_object object = 99;
+    REQUIRE(arcspan_add_binary(scene.scene, sign.data(), sign.size, nullptr, &object) == ARCSPAN_OK);
+    const auto before = scene.drawn();
+    CHECK(arcspan_set_material(scene.scene, object, &red) ==
+          (more == 2 ? ARCSPAN_OK : ARCSPAN_BUFFER_TOO_SMALL));
+    CHECK((scene.drawn() != before) == (more == 2));
+  }
+  Scene2 in_flash({16, 1});
+  arcspan_object flash = 0;
+  REQUIRE(arcspan_add_model(in_flash.scene, &outlined, &flash) == ARCSPAN_OK);
+  CHECK(arcspan_set_material(in_flash.scene, flash, &red) == ARCSPAN_UNSUPPORTED);
+}
+
 TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   Binary lamp("lamp.bin");
   Binary ball("ball.bin");

@@ -46,20 +46,21 @@ struct Stage {
   arcspan_character* character = nullptr;
   arcspan_object held = 0;
 
-  Stage() : memory(arcspan_character_bytes(kWalker, kWalkerBytes)) {
+  explicit Stage(const arcspan_look* look = nullptr)
+      : memory(arcspan_character_bytes(kWalker, kWalkerBytes)) {
     const arcspan_scene_limits limits{6, 5};
     scene_memory.resize(arcspan_scene_bytes(&limits));
     REQUIRE(arcspan_scene_make(scene_memory.data(), scene_memory.size(), &limits, &scene) == ARCSPAN_OK);
     REQUIRE(arcspan_add_model(scene, &ball, &held) == ARCSPAN_OK);
     REQUIRE(arcspan_set_scale(scene, held, ARCSPAN_LENGTH(0.2)) == ARCSPAN_OK);
-    REQUIRE(add(memory.data(), memory.size()) == ARCSPAN_OK);
+    REQUIRE(add(memory.data(), memory.size(), look) == ARCSPAN_OK);
     const arcspan_object object = arcspan_object_of(character);
     CHECK(object == held + 1);
     REQUIRE(arcspan_set_position(scene, object, kAt) == ARCSPAN_OK);
     REQUIRE(arcspan_set_angles(scene, object, 5000, 300, 0) == ARCSPAN_OK);
   }
-  [[nodiscard]] arcspan_status add(void* at, std::size_t bytes) {
-    return arcspan_add_character(scene, kWalker, kWalkerBytes, nullptr, at, bytes, &character);
+  [[nodiscard]] arcspan_status add(void* at, std::size_t bytes, const arcspan_look* look = nullptr) {
+    return arcspan_add_character(scene, kWalker, kWalkerBytes, look, at, bytes, &character);
   }
   /// The picture in bands of so many rows.
   [[nodiscard]] std::vector<std::uint16_t> drawn(std::int32_t rows = kSide, int keeps_vertices = 1) const {
@@ -160,6 +161,39 @@ TEST_CASE("a character that fades from one clip to another is drawn from C with 
     CHECK(stage.drawn(16) == picture);
     CHECK(stage.drawn(20, 0) == picture);
     CHECK(picture != at_rest);
+  }
+}
+
+TEST_CASE("a character is drawn by another material, and by its own again") {
+  const Stage stage;
+  const std::uint16_t clip = arcspan_find_clip(stage.character, "walk");
+  REQUIRE(arcspan_play(stage.character, clip, 0, ARCSPAN_REPEAT) == ARCSPAN_OK);
+  arcspan_advance(stage.character, 300000);
+  const auto own = stage.drawn();
+  const arcspan_object object = arcspan_object_of(stage.character);
+  const arcspan_shares none{0, 0, 0}, white{32768, 32768, 32768}, dark{9000, 9000, 9000};
+  const arcspan_light light{{-1, 1, 2}, 0, 32768, white};
+  for (const std::uint16_t share : {std::uint16_t{20000}, std::uint16_t{30000}}) {
+    CAPTURE(share);
+    const arcspan_material red{{6000, 0, 0}, {share, 0, 0}, none, 1};
+    const arcspan_look look{ARCSPAN_ARC, 1, 0, &red, 0};
+    Stage expected(&look);
+    REQUIRE(arcspan_play(expected.character, clip, 0, ARCSPAN_REPEAT) == ARCSPAN_OK);
+    arcspan_advance(expected.character, 300000);
+    REQUIRE(arcspan_set_material(stage.scene, object, &red) == ARCSPAN_OK);
+    CHECK((stage.drawn() == expected.drawn()));
+    CHECK((stage.drawn(16, 0) == expected.drawn()));
+    arcspan_advance(stage.character, 100000);
+    arcspan_advance(expected.character, 100000);
+    CHECK((stage.drawn() == expected.drawn()));
+    REQUIRE(arcspan_set_lights(stage.scene, &light, 1, dark) == ARCSPAN_OK);
+    REQUIRE(arcspan_set_lights(expected.scene, &light, 1, dark) == ARCSPAN_OK);
+    CHECK((stage.drawn() == expected.drawn()));
+    REQUIRE(arcspan_set_lights(stage.scene, &light, 1, white) == ARCSPAN_OK);
+    arcspan_seek(stage.character, 300000);
+    arcspan_advance(stage.character, 0);
+    REQUIRE(arcspan_set_material(stage.scene, object, nullptr) == ARCSPAN_OK);
+    CHECK((stage.drawn() == own));
   }
 }
 

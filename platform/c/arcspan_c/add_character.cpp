@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <arcspan_c/binary_part.hpp>
 #include <arcspan_c/character.hpp>
+#include <arcspan_c/character_material.hpp>
 #include <arcspan_c/memory.hpp>
 #include <arcspan_c/new_object.hpp>
 
@@ -15,8 +16,8 @@ using namespace arcspan;
 
 namespace {
 
+using c::CharacterMaterial;
 using c::CharacterMesh;
-using CharacterMaterial = PosedMaterial<CharacterMesh>;
 
 /// An animated model in a binary.
 struct AnimatedModel {
@@ -62,31 +63,19 @@ struct CharacterMemory {
           memory.take<CharacterMesh>(parts),          memory.take<CharacterMaterial>(parts)};
 }
 
-/// Makes the posed material of a mesh from a prepared one of the methods that are compiled.
-template <class... Chosen>
-void make_posed(c::ChoiceList<Chosen...>, const SceneMaterial& material, const CharacterMesh& mesh,
-                CharacterMaterial* at) {
-  const auto make = [&]<class Method>() {
-    if (material.use() != &detail::kUseFacts<typename detail::UseOf<Method>::Type>) return false;
-    new (at) CharacterMaterial(static_cast<const PreparedMaterial<Method>&>(material), mesh);
-    return true;
-  };
-  (void)(make.template operator()<typename Chosen::Method>() || ...);
-}
-
 /// Adds part `i` to an object; what moves it follows `character`.
 [[nodiscard]] Status add_part(c::NewObject& object, const AnimatedModel& animated, std::size_t i,
                               const arcspan_look& look, const CharacterMemory& memory) {
   const ModelPart part = animated.model.part(i);
   MeshNeighbours neighbours;
-  const c::MadeMaterial* made = nullptr;
+  std::uint16_t made = c::kInFlash;
   Status status = c::find_neighbours(animated.model, i, neighbours);
   if (ok(status)) status = object.make(c::source_of(look, part.material, part.two_sided, part.texture), made);
   if (!ok(status)) return status;
-  if (!animated.moves(i)) return object.add(part.mesh, &neighbours, made->scene_material(), part.sphere);
+  if (!animated.moves(i)) return object.add(part.mesh, &neighbours, object.material(made), part.sphere, made);
   CharacterMesh& mesh = *new (&memory.meshes[i]) CharacterMesh;
-  make_posed(c::AllChoices{}, made->scene_material(), mesh, &memory.materials[i]);
-  status = object.add(part.mesh, &neighbours, memory.materials[i], part.sphere);
+  make_posed(c::AllChoices{}, object.material(made), mesh, &memory.materials[i]);
+  status = object.add(part.mesh, &neighbours, memory.materials[i], part.sphere, made);
   if (!ok(status)) return status;
   const arcspan_character& character = *memory.character;
   const StoredWeights weights = character.animation.weights(i);

@@ -13,6 +13,11 @@ namespace arcspan::c {
 /// That of NULL for a look.
 inline constexpr arcspan_look kUsualLook = {ARCSPAN_ARC, 1, 0, nullptr, 0};
 
+[[nodiscard]] inline Material material_of(const arcspan_material& material) {
+  return {coefficients(material.ambient), coefficients(material.diffuse), coefficients(material.specular),
+          material.shininess};
+}
+
 /// The source of the material of a part.
 [[nodiscard]] inline MaterialSource source_of(const arcspan_look& look, const Material& material,
                                               bool two_sided, const StoredTexture& texture) {
@@ -20,10 +25,7 @@ inline constexpr arcspan_look kUsualLook = {ARCSPAN_ARC, 1, 0, nullptr, 0};
 #if ARCSPAN_C_TOON
   source.toon_steps = look.toon_steps;
 #endif
-  if (look.material != nullptr) {
-    source.material = {coefficients(look.material->ambient), coefficients(look.material->diffuse),
-                       coefficients(look.material->specular), look.material->shininess};
-  }
+  if (look.material != nullptr) source.material = material_of(*look.material);
   return source;
 }
 

@@ -70,10 +70,43 @@ Status make_material(MadeMaterial& made, const LightList& lights) {
 
 Status make_materials(arcspan_scene& scene) {
   Status status = Status::kOk;
-  for (std::size_t i = 0; i < scene.material_count && ok(status); ++i) {
-    status = make_material(scene.materials[i], scene.light_list());
+  for (std::uint16_t i = 0; i < scene.material_count && ok(status); ++i) {
+    if (is_kept(scene, i, {scene.object_count}))
+      status = make_material(scene.materials[i], scene.light_list());
   }
   return status;
+}
+
+bool is_kept(const arcspan_scene& scene, std::uint16_t index, const KeepingParts& parts) {
+  for (std::size_t i = 0; i < parts.end; ++i) {
+    const bool changes = i >= parts.first_changed && i < parts.end_changed;
+    if (scene.own[i] == index || (scene.shown[i] == index && !changes)) return true;
+  }
+  return false;
+}
+
+std::uint16_t find_material(const arcspan_scene& scene, const MaterialSource& source,
+                            const KeepingParts& parts) {
+  for (std::uint16_t i = 0; i < scene.material_count; ++i) {
+    if (is_same(scene.materials[i].source, source) && is_kept(scene, i, parts)) return i;
+  }
+  return kInFlash;
+}
+
+Status find_or_make_material(arcspan_scene& scene, const MaterialSource& source, const KeepingParts& parts,
+                             std::uint16_t& index) {
+  index = find_material(scene, source, parts);
+  if (index != kInFlash) return Status::kOk;
+  std::uint16_t i = scene.material_count;
+  if (i == scene.limits.materials) {  // only then, because each takes a look at all parts
+    i = 0;
+    while (i < scene.limits.materials && is_kept(scene, i, parts)) ++i;
+  }
+  if (i == scene.limits.materials) return Status::kBufferTooSmall;
+  if (i == scene.material_count) ++scene.material_count;
+  scene.materials[i].source = source;
+  index = i;
+  return make_material(scene.materials[i], scene.light_list());
 }
 
 bool is_same(const MaterialSource& a, const MaterialSource& b) {

@@ -13,12 +13,13 @@ namespace arcspan::c {
 /// before, nothing of the scene has changed.
 class NewObject {
  public:
-  explicit NewObject(arcspan_scene& scene) : scene_(scene), material_count_(scene.material_count) {}
+  explicit NewObject(arcspan_scene& scene) : scene_(scene) {}
 
-  /// Adds a part of a prepared material; `neighbours` are null if the mesh has none. Returns kBufferTooSmall
-  /// if there is no room for it.
+  /// Adds a part of a prepared material, which is the one with the index `made`, or refers to it;
+  /// `neighbours` are null if the mesh has none. Returns kBufferTooSmall if there is no room for it.
   [[nodiscard]] Status add(const MeshView& mesh, [[maybe_unused]] const MeshNeighbours* neighbours,
-                           const SceneMaterial& material, const BoundingSphere& sphere) {
+                           const SceneMaterial& material, const BoundingSphere& sphere,
+                           std::uint16_t made = kInFlash) {
     const std::size_t at = std::size_t{scene_.object_count} + parts_;
     if (at >= scene_.limits.objects) return Status::kBufferTooSmall;
     const MeshView& kept = *new (&scene_.meshes[at]) MeshView(mesh);
@@ -29,30 +30,24 @@ class NewObject {
     new (&scene_.outlined[at]) OutlinedMesh{&kept, all};
 #endif
     scene_.parts[at] = 0;
+    scene_.own[at] = scene_.shown[at] = made;
     ++parts_;
     return Status::kOk;
   }
   /// Adds a part of a material that is prepared now, unless the scene has the same.
   [[nodiscard]] Status add(const MeshView& mesh, const MeshNeighbours* neighbours,
                            const MaterialSource& source, const BoundingSphere& sphere) {
-    const MadeMaterial* made = nullptr;
+    std::uint16_t made = kInFlash;
     const Status status = make(source, made);
-    return ok(status) ? add(mesh, neighbours, made->scene_material(), sphere) : status;
+    return ok(status) ? add(mesh, neighbours, material(made), sphere, made) : status;
   }
-  /// Prepares a material, unless the scene has the same.
-  [[nodiscard]] Status make(const MaterialSource& source, const MadeMaterial*& found) {
-    std::uint16_t i = 0;
-    while (i < material_count_ && !is_same(scene_.materials[i].source, source)) ++i;
-    if (i == scene_.limits.materials) return Status::kBufferTooSmall;
-    MadeMaterial& made = scene_.materials[i];
-    if (i == material_count_) {
-      made.source = source;
-      const Status status = make_material(made, scene_.light_list());
-      if (!ok(status)) return status;
-      ++material_count_;
-    }
-    found = &made;
-    return Status::kOk;
+  /// Prepares a material, unless the scene has the same, and sets `made` to its index.
+  [[nodiscard]] Status make(const MaterialSource& source, std::uint16_t& made) {
+    return find_or_make_material(scene_, source, {std::size_t{scene_.object_count} + parts_}, made);
+  }
+  /// The material that make() has found.
+  [[nodiscard]] const SceneMaterial& material(std::uint16_t made) const {
+    return scene_.materials[made].scene_material();
   }
   /// The mesh that was added last, where the scene keeps it.
   [[nodiscard]] const MeshView& kept_mesh() const { return scene_.meshes[scene_.object_count + parts_ - 1]; }
@@ -62,13 +57,11 @@ class NewObject {
     if (object != nullptr) *object = scene_.object_count;
     scene_.parts[scene_.object_count] = parts_;
     scene_.object_count = static_cast<std::uint16_t>(scene_.object_count + parts_);
-    scene_.material_count = material_count_;
     return ARCSPAN_OK;
   }
 
  private:
   arcspan_scene& scene_;
-  std::uint16_t material_count_;
   std::uint16_t parts_ = 0;
 };
 

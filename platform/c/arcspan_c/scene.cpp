@@ -37,6 +37,8 @@ struct SceneParts {
   OutlinedMesh* outlined;
 #endif
   std::uint16_t* parts;
+  std::uint16_t* own;
+  std::uint16_t* shown;
   c::MadeMaterial* materials;
 };
 
@@ -46,6 +48,7 @@ struct SceneParts {
 #if ARCSPAN_C_OUTLINES
         memory.take<MeshNeighbours>(limits.objects), memory.take<OutlinedMesh>(limits.objects),
 #endif
+        memory.take<std::uint16_t>(limits.objects), memory.take<std::uint16_t>(limits.objects),
         memory.take<std::uint16_t>(limits.objects), memory.take<c::MadeMaterial>(limits.materials)
   };
 }
@@ -125,7 +128,7 @@ arcspan_status arcspan_scene_make(void* memory, size_t bytes, const arcspan_scen
 #if ARCSPAN_C_OUTLINES
         parts.neighbours, parts.outlined,
 #endif
-        parts.parts, parts.materials, nullptr
+        parts.parts, parts.own, parts.shown, parts.materials, nullptr
   };
   return ARCSPAN_OK;
 }

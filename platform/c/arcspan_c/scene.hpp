@@ -65,6 +65,26 @@ struct MadeMaterial {
 /// make_material() for all of a scene, after its lights have changed. Of arcspan_scene::make_materials.
 [[nodiscard]] Status make_materials(arcspan_scene& scene);
 
+/// In place of the index of a material, for one in flash.
+inline constexpr std::uint16_t kInFlash = 0xFFFF;
+
+/// The parts of a scene that keep materials: those before `end`. What the parts first_changed ... end_changed
+/// - 1 are drawn by does not count, because they get another one.
+struct KeepingParts {
+  std::size_t end;
+  std::size_t first_changed = 0;
+  std::size_t end_changed = 0;
+};
+/// Whether one of these parts keeps the material with this index.
+[[nodiscard]] bool is_kept(const arcspan_scene& scene, std::uint16_t index, const KeepingParts& parts);
+/// Returns the index of the material of this source that a part keeps; kInFlash if there is none.
+[[nodiscard]] std::uint16_t find_material(const arcspan_scene& scene, const MaterialSource& source,
+                                          const KeepingParts& parts);
+/// Sets `index` to find_material(), or to a material that no part keeps, and which is prepared. Returns
+/// kBufferTooSmall if there is none, or the status of make_material().
+[[nodiscard]] Status find_or_make_material(arcspan_scene& scene, const MaterialSource& source,
+                                           const KeepingParts& parts, std::uint16_t& index);
+
 /// As many of one light as a scene has room for.
 [[nodiscard]] constexpr std::array<SceneLight, ARCSPAN_C_LIGHTS> all_lights(const SceneLight& light) {
   return []<std::size_t... I>(const SceneLight& one, std::index_sequence<I...>) {
@@ -85,7 +105,7 @@ struct MadeMaterial {
 struct arcspan_scene {
   arcspan_scene_limits limits;
   std::uint16_t object_count;
-  std::uint16_t material_count;
+  std::uint16_t material_count;  ///< that have been made, whether or not a part keeps them
   std::size_t light_count;
   std::array<arcspan::SceneLight, ARCSPAN_C_LIGHTS> lights;
   arcspan::ChannelCoefficients ambient;
@@ -96,6 +116,8 @@ struct arcspan_scene {
   arcspan::OutlinedMesh* outlined;      ///< both
 #endif
   std::uint16_t* parts;  ///< at an object's first part their number, at its others 0
+  std::uint16_t* own;    ///< of each part, the index of the material that it was added with, or kInFlash
+  std::uint16_t* shown;  ///< of each part, the index of the material that it is drawn by, or kInFlash
   arcspan::c::MadeMaterial* materials;
   /// Set by arcspan_add_binary(), so that programs with models in flash only do not hold its code.
   arcspan::Status (*make_materials)(arcspan_scene& scene);

@@ -307,11 +307,12 @@ static void add_layers(lv_layer_t* layer, lv_arcspan_view_t* view, const lv_area
   }
 }
 
-/* The inner edge of the border, and its radius, which clip_corner clips by. */
+/* The edge, and its radius, that clip_corner clips by: the inner one of a border that has all sides. */
 static int32_t corner_radius(const lv_obj_t* obj, lv_area_t* corners) {
   lv_area_copy(corners, &obj->coords);
   if (!lv_obj_get_style_clip_corner(obj, LV_PART_MAIN)) return 0;
-  const int32_t border = lv_obj_get_style_border_width(obj, LV_PART_MAIN);
+  const lv_border_side_t sides = lv_obj_get_style_border_side(obj, LV_PART_MAIN) & LV_BORDER_SIDE_FULL;
+  const int32_t border = sides == LV_BORDER_SIDE_FULL ? lv_obj_get_style_border_width(obj, LV_PART_MAIN) : 0;
   const int32_t shorter = LV_MIN(lv_area_get_width(corners), lv_area_get_height(corners));
   const int32_t radius = LV_MIN(lv_obj_get_style_radius(obj, LV_PART_MAIN), shorter / 2) - border;
   lv_area_increase(corners, -border, -border);

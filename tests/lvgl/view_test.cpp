@@ -255,6 +255,23 @@ TEST_CASE("a colour that styles lay over a view, or over what holds it, lies ove
   CHECK(lv_arcspan_view_get_dropped(view) == 0);
 }
 
+TEST_CASE("round corners are those of the widget where its border lacks a side") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(1.9));
+  lv_obj_set_style_pad_all(view, 0, 0);
+  lv_obj_set_style_radius(view, 30, 0);
+  lv_obj_set_style_clip_corner(view, true, 0);
+  lv_obj_set_style_border_width(view, 0, 0);
+  screen.refresh();
+  const auto without = screen.pixels;
+  lv_obj_set_style_border_width(view, 12, 0);
+  lv_obj_set_style_border_side(view, LV_BORDER_SIDE_NONE, 0);
+  screen.refresh();
+  CHECK((screen.pixels == without));
+}
+
 TEST_CASE("400 random repaints show what one redraw of all shows") {
   std::mt19937 random(7);
   const auto number = [&](std::int32_t least, std::int32_t most) {

@@ -72,6 +72,12 @@ static void change(lv_arcspan_view_t* view) {
   lv_display_send_event(lv_obj_get_display(&view->obj), LV_EVENT_REFR_REQUEST, NULL);
 }
 
+/* change(), after which the object has to be turned anew, also if it was for this refresh. */
+static void change_object(lv_arcspan_view_t* view) {
+  view->is_turned = false;
+  change(view);
+}
+
 void lv_arcspan_view_drop(lv_arcspan_view_t* view, arcspan_status status) {
   view->status = status;
   ++view->dropped;
@@ -506,7 +512,7 @@ void lv_arcspan_view_set_scene(lv_obj_t* obj, arcspan_scene* scene) {
   LV_CHECK_OBJ(obj, VIEW_CLASS, return );
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
   view->scene = scene; /* the frame of the former one may still be drawn */
-  change(view);
+  change_object(view);
 }
 
 void lv_arcspan_view_set_camera(lv_obj_t* obj, const lv_arcspan_camera_t* camera) {
@@ -526,14 +532,14 @@ void lv_arcspan_view_set_turned(lv_obj_t* obj, arcspan_object object) {
   }
   view->turned = object;
   lv_obj_set_scroll_chain(obj, !is_turned);
-  change(view);
+  change_object(view);
 }
 
 void lv_arcspan_view_set_rotation(lv_obj_t* obj, arcspan_quaternion rotation) {
   LV_CHECK_OBJ(obj, VIEW_CLASS, return );
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
   view->rotation = rotation;
-  change(view);
+  change_object(view);
 }
 
 arcspan_quaternion lv_arcspan_view_get_rotation(const lv_obj_t* obj) {
@@ -544,7 +550,7 @@ void lv_arcspan_view_set_scale(lv_obj_t* obj, arcspan_length scale) {
   LV_CHECK_OBJ(obj, VIEW_CLASS, return );
   lv_arcspan_view_t* const view = (lv_arcspan_view_t*)obj;
   view->scale = scale;
-  change(view);
+  change_object(view);
 }
 
 arcspan_length lv_arcspan_view_get_scale(const lv_obj_t* obj) {

@@ -608,6 +608,34 @@ TEST_CASE("a view that an event of the refresh shows turns its object for it") {
   CHECK((screen.pixels == pixels));
 }
 
+TEST_CASE("an event of the refresh may turn the object of a view that was changed before, or another one") {
+  Screen screen;
+  BallScene balls;
+  BallScene others;
+  struct Change {
+    lv_obj_t* view;
+    arcspan_scene* scene;
+  } change{nullptr, GENERATE(true, false) ? others.scene : balls.scene};
+  const auto turn = [](lv_event_t* e) {
+    const auto& wanted = *static_cast<Change*>(lv_event_get_user_data(e));
+    if (wanted.view == nullptr) return;
+    lv_arcspan_view_set_scene(wanted.view, wanted.scene);
+    lv_arcspan_view_set_rotation(wanted.view, {1 << 30, 1 << 29, 1 << 28, 0});
+    lv_arcspan_view_set_scale(wanted.view, ARCSPAN_LENGTH(0.6));
+  };
+  lv_display_add_event_cb(lv_display_get_default(), turn, LV_EVENT_REFR_START, &change);
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.5));
+  change.view = view;
+  screen.refresh();
+  const auto pixels = screen.pixels;
+  change.view = nullptr;
+  lv_arcspan_view_update(view);
+  screen.refresh();
+  CHECK((screen.pixels == pixels));
+}
+
 TEST_CASE("an object that follows the turned one in an event of the refresh is drawn with it") {
   struct Follower {
     arcspan_scene* scene;

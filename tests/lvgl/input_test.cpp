@@ -78,9 +78,30 @@ TEST_CASE("arrow keys and an encoder turn the object") {
   lv_test_key_hit(LV_KEY_DOWN);
   CHECK(lv_arcspan_view_get_rotation(view).x > 0);
   lv_test_key_hit(LV_KEY_UP);
+  CHECK(std::abs(lv_arcspan_view_get_rotation(view).x) < 256);
   lv_group_set_editing(lv_group_get_default(), true);
   lv_test_encoder_turn(2);
   CHECK(lv_arcspan_view_get_rotation(view).y > once);
+  std::int32_t steps = 1;
+  lv_arcspan_view_set_rotation(view, ARCSPAN_NO_ROTATION);
+  lv_obj_send_event(view, LV_EVENT_ROTARY, &steps);
+  const std::int32_t by_wheel = lv_arcspan_view_get_rotation(view).y;
+  CHECK(by_wheel > 0);
+  steps = -2;
+  lv_obj_send_event(view, LV_EVENT_ROTARY, &steps);
+  CHECK(std::abs(lv_arcspan_view_get_rotation(view).y + by_wheel) < by_wheel / 8);
+}
+
+TEST_CASE("a view that is turned joins the default group, unless it is in one") {
+  TestDisplay display;
+  lv_group_t* const group = lv_group_create();
+  lv_obj_t* const view = lv_arcspan_view_create(lv_screen_active());
+  lv_obj_t* const other = lv_arcspan_view_create(lv_screen_active());
+  lv_group_add_obj(group, view);
+  lv_arcspan_view_set_turned(view, 0);
+  lv_arcspan_view_set_turned(other, 0);
+  CHECK(lv_obj_get_group(view) == group);
+  CHECK(lv_obj_get_group(other) == lv_group_get_default());
 }
 
 /// A drag from the middle of the view. Returns the rotation after it.
@@ -174,9 +195,28 @@ TEST_CASE("a pinch scales the object from its scale on, and does not turn it") {
     fingers.hold(0);
   }
   lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.5));
+  int changes = 0;
+  lv_obj_add_event_cb(view, count_event, LV_EVENT_VALUE_CHANGED, &changes);
   fingers.hold(20);
   fingers.hold(40);
   CHECK(lv_arcspan_view_get_scale(view) == ARCSPAN_LENGTH(1));
+  CHECK(changes > 0);
+  fingers.hold(0);
+  for (const arcspan_length most : {INT32_MAX, ARCSPAN_LENGTH(1)}) {  // a scale out of range, no object
+    lv_arcspan_view_set_scale(view, most);
+    fingers.hold(20);
+    fingers.hold(40);
+    CHECK(lv_arcspan_view_get_scale(view) == most);
+    fingers.hold(0);
+    drag(60, 12, 0);
+    CHECK((lv_arcspan_view_get_rotation(view).y != before.y));
+    lv_arcspan_view_set_scale(view, 80);
+    fingers.hold(40);
+    fingers.hold(20);
+    CHECK(lv_arcspan_view_get_scale(view) >= 64);
+    fingers.hold(0);
+    lv_arcspan_view_set_turned(view, LV_ARCSPAN_NO_OBJECT);
+  }
 }
 #endif
 

@@ -99,15 +99,20 @@ TEST_CASE("smooth and inked outlines are the same, whatever is drawn at a time")
   }
 }
 
+/// The camera of a new view.
+constexpr lv_arcspan_camera_t kFront{
+    ARCSPAN_DEGREES(45), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(16), {0, 0, ARCSPAN_LENGTH(3)}, {}, {}};
+
 /// The ball drawn by arcspan_draw() alone, 100 x 80 pixels on black.
-std::vector<std::uint8_t> drawn_bare(const BallScene& balls, lv_color_format_t format, Outlines outlines) {
+std::vector<std::uint8_t> drawn_bare(const BallScene& balls, lv_color_format_t format, Outlines outlines,
+                                     const lv_arcspan_camera_t& camera) {
   const arcspan_view_limits limits = arcspan_limits_of(balls.scene, 0);
   std::vector<unsigned char> memory(arcspan_view_bytes(&limits));
   std::vector<unsigned char> outline_memory(arcspan_outline_bytes(&kOutlines));
   arcspan_view* bare = nullptr;
   REQUIRE(arcspan_view_make(memory.data(), memory.size(), &limits, balls.scene, &bare) == ARCSPAN_OK);
-  const arcspan_lens lens{100, 80, ARCSPAN_DEGREES(45), 0, ARCSPAN_LENGTH(1), ARCSPAN_LENGTH(16)};
-  REQUIRE(arcspan_set_camera(bare, &lens, {0, 0, ARCSPAN_LENGTH(3)}, {0, 0, 0}, {0, 0, 0}) == ARCSPAN_OK);
+  const arcspan_lens lens{100, 80, camera.angle, camera.extent, camera.nearest, camera.farthest};
+  REQUIRE(arcspan_set_camera(bare, &lens, camera.eye, camera.target, camera.up) == ARCSPAN_OK);
   void* const given = outlines == kPlain ? nullptr : outline_memory.data();
   REQUIRE(arcspan_smooth_outlines(bare, given, outline_memory.size(), &kOutlines) == ARCSPAN_OK);
   REQUIRE(arcspan_prepare(bare) == ARCSPAN_OK);
@@ -122,7 +127,7 @@ std::vector<std::uint8_t> drawn_bare(const BallScene& balls, lv_color_format_t f
   return pixels;
 }
 
-void check_picture(lv_color_format_t format, Outlines outlines) {
+void check_picture(lv_color_format_t format, Outlines outlines, const lv_arcspan_camera_t& camera = kFront) {
   CAPTURE(format, outlines);
   Screen screen({format, LV_DISPLAY_RENDER_MODE_PARTIAL, 16});
   BallScene balls(outlined_ball());
@@ -134,7 +139,9 @@ void check_picture(lv_color_format_t format, Outlines outlines) {
   lv_obj_set_style_radius(view, 0, 0);
   lv_obj_set_style_pad_all(view, 0, 0);
   screen.refresh();
-  const std::vector<std::uint8_t> pixels = drawn_bare(balls, format, outlines);
+  if (&camera != &kFront) lv_arcspan_view_set_camera(view, &camera);
+  screen.refresh();
+  const std::vector<std::uint8_t> pixels = drawn_bare(balls, format, outlines, camera);
   const std::size_t pixel = screen.pixel_bytes();
   const int tolerance = outlines == kPlain ? 0 : 2;  // LVGL rounds otherwise
   for (std::int32_t y = 0; y < 80; ++y) {
@@ -154,6 +161,8 @@ TEST_CASE("the picture is the one that arcspan_draw() draws over the background"
   for (const lv_color_format_t format :
        {LV_COLOR_FORMAT_RGB888, LV_COLOR_FORMAT_XRGB8888, LV_COLOR_FORMAT_ARGB8888, LV_COLOR_FORMAT_L8})
     check_picture(format, kSmooth);
+  check_picture(LV_COLOR_FORMAT_RGB565, kPlain,
+                {0, ARCSPAN_LENGTH(1.5), 65536, 250000, {70000, 20000, 190000}, {9000, -9000, 0}, {1, 1, 0}});
 }
 
 TEST_CASE("smooth outlines need no other format than that of layers") {
@@ -162,6 +171,45 @@ TEST_CASE("smooth outlines need no other format than that of layers") {
   int most = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) most = std::max(most, std::abs(layered[i] - expected[i]));
   CHECK(most <= 4);  // LVGL rounds otherwise
+  Screen screen({LV_COLOR_FORMAT_ARGB8888_PREMULTIPLIED});
+  BallScene balls;
+  lv_obj_t* const plain = make_view(balls);
+  screen.refresh();
+  CHECK(lv_arcspan_view_get_status(plain) == ARCSPAN_UNSUPPORTED);
+  CHECK(lv_arcspan_view_get_dropped(plain) > 0);
+}
+
+TEST_CASE("a repaint of some columns leaves smooth outlines as they are") {
+  Screen screen;
+  BallScene balls(outlined_ball());
+  lv_obj_t* const view = make_view(balls);
+  set_outlines(view, GENERATE(kSmooth, kInkedCreases));
+  screen.refresh();
+  const auto pixels = screen.pixels;
+  for (std::int32_t x = 40; x < 100; ++x) {
+    const lv_area_t columns{x, 0, x + 5, Screen::kHeight - 1};
+    lv_obj_invalidate_area(lv_screen_active(), &columns);
+    screen.refresh();
+    REQUIRE((screen.pixels == pixels));
+  }
+}
+
+TEST_CASE("LVGL draws its own images beside a view") {
+  static const std::uint16_t red[4] = {0xF800, 0xF800, 0xF800, 0xF800};
+  lv_image_dsc_t image{};
+  image.header.magic = LV_IMAGE_HEADER_MAGIC;
+  image.header.cf = LV_COLOR_FORMAT_RGB565;
+  image.header.w = image.header.h = 2;
+  image.header.stride = 4;
+  image.data = reinterpret_cast<const std::uint8_t*>(red);
+  image.data_size = sizeof red;
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  lv_image_set_src(lv_image_create(lv_screen_active()), &image);
+  screen.refresh();
+  CHECK((screen.pixel(1, 1) == std::vector<std::uint8_t>{0x00, 0xF8}));
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
 }
 
 TEST_CASE("a layer whose outlines lack memory for depths is left out, and the next frame is right") {
@@ -242,13 +290,13 @@ TEST_CASE("a colour that styles lay over a view, or over what holds it, lies ove
   screen.refresh();
   const auto plain = screen.pixels;
   const auto middle = screen.pixel(70, 50);
-  lv_obj_set_style_recolor(coloured, lv_color_hex(0x00FF00), 0);
+  lv_obj_set_style_recolor(coloured, lv_color_hex(0xFF0000), 0);
   lv_obj_set_style_recolor_opa(coloured, LV_OPA_50, 0);
   screen.refresh();
   CHECK((screen.pixel(70, 50) != middle));
   lv_obj_set_style_recolor_opa(coloured, LV_OPA_COVER, 0);
   screen.refresh();
-  CHECK((screen.pixel(70, 50) == std::vector<std::uint8_t>{0xE0, 0x07}));  // green in rgb565
+  CHECK((screen.pixel(70, 50) == std::vector<std::uint8_t>{0x00, 0xF8}));  // red in rgb565
   lv_obj_set_style_recolor_opa(coloured, LV_OPA_TRANSP, 0);
   screen.refresh();
   CHECK((screen.pixels == plain));
@@ -270,6 +318,19 @@ TEST_CASE("round corners are those of the widget where its border lacks a side")
   lv_obj_set_style_border_side(view, LV_BORDER_SIDE_NONE, 0);
   screen.refresh();
   CHECK((screen.pixels == without));
+  for (std::int32_t y = 0; y < 23; ++y) CHECK((screen.pixel(20, 10 + y) == screen.pixel(0, 0)));
+  for (std::int32_t x = 20; x < 120; x += 30) {  // the left and the right corners alone
+    const lv_area_t columns{x, 0, x + 29, Screen::kHeight - 1};
+    lv_obj_invalidate_area(lv_screen_active(), &columns);
+    screen.refresh();
+    CHECK((screen.pixels == without));
+  }
+  lv_obj_set_style_radius(view, 40, 0);
+  const auto half = screen.redrawn();
+  lv_obj_set_style_radius(view, LV_RADIUS_CIRCLE, 0);
+  CHECK((screen.redrawn() == half));
+  lv_obj_set_style_clip_corner(view, false, 0);
+  CHECK((screen.redrawn() != half));
 }
 
 TEST_CASE("400 random repaints show what one redraw of all shows") {
@@ -342,6 +403,22 @@ TEST_CASE("a change invalidates the rectangles of the old and of the new frame, 
   screen.invalidated.clear();
   screen.refresh();
   CHECK(screen.invalidated.empty());
+}
+
+TEST_CASE("the frame of a view one pixel wide is wiped before the next") {
+  Screen screen;
+  BallScene balls;
+  lv_obj_t* const view = make_view(balls);
+  lv_obj_remove_style_all(view);
+  lv_obj_set_pos(view, 20, 10);
+  lv_obj_set_size(view, 1, 80);
+  screen.refresh();
+  const auto before = screen.pixels;
+  lv_arcspan_view_set_scale(view, ARCSPAN_LENGTH(0.3));
+  screen.refresh();
+  const auto pixels = screen.pixels;
+  CHECK((pixels != before));
+  CHECK((screen.redrawn() == pixels));
 }
 
 TEST_CASE("nothing is done while a view is hidden, and its next frame is right") {
@@ -425,11 +502,41 @@ TEST_CASE("without memory for the rows of triangles a view keeps its vertices") 
   fail_allocations_from(with_rows, with_rows + 1);
   screen.refresh();
   limits.triangles = 0;
-  CHECK(was_allocated(arcspan_view_bytes(&limits)));
+  const std::size_t without_rows = arcspan_view_bytes(&limits);
+  CHECK(was_allocated(without_rows));
   CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
   const auto drawn = screen.pixels;
+  lv_obj_t* const other = make_view(balls);  // without memory for all vertices it keeps none
+  fail_allocations_from(without_rows, with_rows + 1);
+  screen.refresh();
+  limits = arcspan_limits_of(balls.scene, 0);
+  CHECK(was_allocated(arcspan_view_bytes(&limits)));
+  CHECK(lv_arcspan_view_get_status(other) == ARCSPAN_OK);
+  lv_obj_delete(other);
   fail_allocations_from(0);
   CHECK((screen.redrawn() == drawn));
+}
+
+TEST_CASE("objects that are added to a scene are shown; one that is not there cannot be turned") {
+  Screen screen;
+  const arcspan_scene_limits two_balls{2, 0};
+  std::vector<unsigned char> memory(arcspan_scene_bytes(&two_balls));
+  BallScene balls;
+  REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &two_balls, &balls.scene) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_model(balls.scene, &ball, &balls.object) == ARCSPAN_OK);
+  lv_obj_t* const view = make_view(balls);
+  screen.refresh();
+  const auto one = screen.pixels;
+  REQUIRE(arcspan_add_model(balls.scene, &ball, &balls.object) == ARCSPAN_OK);
+  REQUIRE(arcspan_set_position(balls.scene, balls.object, {ARCSPAN_LENGTH(0.5), 0, 0}) == ARCSPAN_OK);
+  lv_arcspan_view_update(view);
+  screen.refresh();
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);
+  CHECK((screen.pixels != one));
+  lv_arcspan_view_set_turned(view, 2);
+  screen.refresh();
+  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(lv_arcspan_view_get_dropped(view) == 1);
 }
 
 TEST_CASE("another scene may be shown in a flush, out of sight, and before a snapshot") {
@@ -673,6 +780,10 @@ TEST_CASE("the view of a widget is there to pick in, from the first frame on") {
   BallScene balls;
   lv_obj_t* const view = make_view(balls);
   CHECK(lv_arcspan_view_get_view(view) == nullptr);
+  lv_obj_update_layout(view);
+  std::uint32_t key = LV_KEY_RIGHT;
+  lv_obj_send_event(view, LV_EVENT_KEY, &key);
+  CHECK(lv_arcspan_view_get_rotation(view).y == 0);
   screen.refresh();
   arcspan_picked picked;
   REQUIRE(arcspan_pick(lv_arcspan_view_get_view(view), 50, 40, &picked) == ARCSPAN_OK);
@@ -773,10 +884,18 @@ TEST_CASE("a view without a content area drops no frame, and is drawn again when
   lv_obj_t* const view = make_view(balls);
   screen.refresh();
   const auto expected = screen.pixels;
-  lv_obj_set_style_pad_all(view, 200, 0);
+  lv_arcspan_view_set_scene(view, nullptr);
   screen.refresh();
-  CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_NOT_READY);
-  CHECK((screen.pixels != expected));
+  const auto empty = screen.pixels;
+  lv_arcspan_view_set_scene(view, balls.scene);
+  screen.refresh();
+  for (const bool of_width : {false, true}) {
+    if (of_width) lv_obj_set_style_pad_hor(view, 200, 0);
+    lv_obj_set_style_pad_ver(view, of_width ? 0 : 200, 0);
+    screen.refresh();
+    CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_NOT_READY);
+    CHECK((screen.pixels == empty));
+  }
   lv_obj_set_style_pad_all(view, 0, 0);
   screen.refresh();
   CHECK(lv_arcspan_view_get_status(view) == ARCSPAN_OK);

@@ -80,7 +80,7 @@ struct Scene2 {
   std::vector<unsigned char> memory;
   arcspan_scene* scene = nullptr;
 
-  explicit Scene2(arcspan_scene_limits limits) : memory(arcspan_scene_bytes(&limits)) {
+  explicit Scene2(arcspan_scene_limits limits) : memory(arcspan_scene_bytes(&limits), 0xA5) {
     REQUIRE(arcspan_scene_make(memory.data(), memory.size(), &limits, &scene) == ARCSPAN_OK);
   }
   /// The picture, drawn in rectangles of `side` pixels; with outlines in memory of `outlines`, and ink.
@@ -307,6 +307,10 @@ TEST_CASE("ink is refused without memory or out of range, and ends with smoothin
   REQUIRE(arcspan_prepare(seen.view) == ARCSPAN_OK);
   CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_OK);
   CHECK(bits == plain);
+  REQUIRE(arcspan_smooth_outlines(seen.view, seen.outline_memory.data(), seen.outline_memory.size(),
+                                  &limits) == ARCSPAN_OK);
+  REQUIRE(arcspan_prepare(seen.view) == ARCSPAN_OK);
+  CHECK(arcspan_draw(seen.view, &target) == ARCSPAN_UNSUPPORTED);
 }
 
 TEST_CASE("the drawn rectangle holds all that outlines change, also of surfaces beside the picture") {
@@ -370,15 +374,92 @@ TEST_CASE("materials of binaries follow the light") {
   Binary ball("ball.bin");
   const arcspan_shares white{32768, 32768, 32768};
   const arcspan_light dim{{-1, 1, 2}, 0, 12000, white};
-  Scene2 before({1, 1});
-  REQUIRE(arcspan_set_lights(before.scene, &dim, 1, white) == ARCSPAN_OK);
-  REQUIRE(arcspan_add_binary(before.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
-  Scene2 after({1, 1});
-  REQUIRE(arcspan_add_binary(after.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
-  const auto bright = after.drawn();
-  REQUIRE(arcspan_set_lights(after.scene, &dim, 1, white) == ARCSPAN_OK);
-  CHECK((after.drawn() == before.drawn()));
-  CHECK((after.drawn() != bright));
+  const arcspan_light red{{-1, 1, 2}, 0, 32768, {32768, 0, 0}};
+  const arcspan_light full{{-1, 1, 2}, 0, 32768, white};
+  struct Change {
+    const arcspan_light* light;
+    arcspan_shares ambient;
+  };
+  for (const Change& change :
+       {Change{&dim, white}, Change{&red, white}, Change{nullptr, white}, Change{&full, {0, 16384, 0}}}) {
+    const std::size_t count = change.light != nullptr ? 1 : 0;
+    Scene2 before({1, 1});
+    REQUIRE(arcspan_set_lights(before.scene, change.light, count, change.ambient) == ARCSPAN_OK);
+    REQUIRE(arcspan_add_binary(before.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
+    Scene2 after({1, 1});
+    REQUIRE(arcspan_add_binary(after.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
+    const auto bright = after.drawn();
+    REQUIRE(arcspan_set_lights(after.scene, change.light, count, change.ambient) == ARCSPAN_OK);
+    CHECK((after.drawn() == before.drawn()));
+    CHECK((after.drawn() != bright));
+  }
+}
+
+TEST_CASE("materials that differ in a number are not shared; a material of a look is used, on both sides") {
+  Binary ball("ball.bin");
+  const arcspan_material red{{0, 0, 0}, {32768, 0, 0}, {0, 0, 0}, 16};
+  const arcspan_look first{ARCSPAN_ARC, 1, 0, &red, 0};
+  Scene2 scene({3, 1});
+  arcspan_object object = 0;
+  const auto add = [&](const arcspan_look& look) {
+    return arcspan_add_binary(scene.scene, ball.data(), ball.size, &look, nullptr);
+  };
+  REQUIRE(arcspan_add_binary(scene.scene, ball.data(), ball.size, &first, &object) == ARCSPAN_OK);
+  const auto pixels = scene.drawn();
+  CHECK(*std::max_element(pixels.begin(), pixels.end()) >= 0x8000);
+  CHECK(add(first) == ARCSPAN_OK);
+  for (int i = 0; i < 7; ++i) {
+    CAPTURE(i);
+    arcspan_material other = red;
+    arcspan_look look{ARCSPAN_ARC, 1, 0, &other, 0};
+    std::uint16_t* const shares[] = {&other.ambient.g, &other.diffuse.b, &other.specular.r, &other.shininess};
+    if (i < 4) *shares[i] = 20;
+    if (i == 4) look.method = ARCSPAN_FLAT;
+    if (i == 5) look.tolerance = 2;
+    if (i == 6) look.two_sided = 1;
+    CHECK(add(look) == ARCSPAN_BUFFER_TOO_SMALL);
+  }
+  for (const bool two_sided : {false, true}) {  // from inside
+    const arcspan_look look{ARCSPAN_ARC, 1, two_sided, nullptr, 0};
+    Scene2 inside({1, 1});
+    REQUIRE(arcspan_add_binary(inside.scene, ball.data(), ball.size, &look, &object) == ARCSPAN_OK);
+    REQUIRE(arcspan_set_scale(inside.scene, object, ARCSPAN_LENGTH(5)) == ARCSPAN_OK);
+    CHECK((inside.drawn() != std::vector<std::uint16_t>(kSide * kSide, 0)) == two_sided);
+  }
+}
+
+TEST_CASE("parts of a model are picked as parts of its object, and its box contains all") {
+  Binary lamp("lamp.bin");
+  StoredModel model;
+  REQUIRE(ok(view_model_binary({lamp.data(), lamp.size}, model)));
+  Scene2 scene({32, 16});
+  arcspan_object first = 99, second = 99;
+  REQUIRE(arcspan_add_binary(scene.scene, lamp.data(), lamp.size, nullptr, &first) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_binary(scene.scene, lamp.data(), lamp.size, nullptr, &second) == ARCSPAN_OK);
+  REQUIRE(arcspan_set_visible(scene.scene, first, 0) == ARCSPAN_OK);
+  const OutlinedView seen(scene.scene, nullptr, nullptr);
+  std::vector<bool> parts(model.part_count());
+  for (std::int32_t i = 0; i < kSide * kSide; ++i) {
+    arcspan_picked picked;
+    REQUIRE(arcspan_pick(seen.view, i % kSide, i / kSide, &picked) == ARCSPAN_OK);
+    if (picked.found == 0) continue;
+    REQUIRE(picked.object == second);
+    REQUIRE(picked.part < parts.size());
+    parts[picked.part] = true;
+  }
+  CHECK(std::count(parts.begin(), parts.end(), true) > 1);
+  arcspan_box box;
+  REQUIRE(arcspan_bounds(scene.scene, second, &box) == ARCSPAN_OK);
+  std::int32_t low = INT32_MAX, high = INT32_MIN, right = INT32_MIN;
+  for (std::size_t i = 0; i < model.part_count(); ++i) {
+    const BoundingSphere sphere = model.part(i).sphere;
+    low = std::min(low, 2 * (sphere.middle.y - sphere.radius));
+    high = std::max(high, 2 * (sphere.middle.y + sphere.radius));
+    right = std::max(right, 2 * (sphere.middle.x + sphere.radius));
+  }
+  CHECK(box.most.x >= right);
+  CHECK((box.least.y <= low && box.least.y > low - 8));
+  CHECK((box.most.y >= high && box.most.y < high + 8));
 }
 
 TEST_CASE("light in steps is that of C++, a material of its own, and follows the light") {

@@ -228,6 +228,19 @@ TEST_CASE("an object that is attached follows the node through the character's p
     }
   }
   CHECK(held.scale.raw() == ARCSPAN_LENGTH(0.2));
+  REQUIRE(arcspan_set_position(stage.scene, object, {INT32_MAX, INT32_MIN, 0}) == ARCSPAN_OK);
+  for (uint16_t i = 0; i < 14; ++i) {
+    REQUIRE(arcspan_node_position(stage.character, i, &at) == ARCSPAN_OK);
+    CHECK((at.x > 0 && at.y < 0));
+  }
+}
+
+TEST_CASE("materials of characters follow the light") {
+  Stage stage;
+  const auto white = stage.drawn();
+  const arcspan_light light{{-1, 1, 2}, 0, 32768, {32768, 32768, 32768}};
+  REQUIRE(arcspan_set_lights(stage.scene, &light, 1, {0, 0, 0}) == ARCSPAN_OK);
+  CHECK(stage.drawn() != white);
 }
 
 TEST_CASE("clips of a character have names, lengths, ends and speeds") {
@@ -322,6 +335,10 @@ TEST_CASE("a character that cannot be added changes nothing in a scene") {
   const arcspan_look gouraud{ARCSPAN_GOURAUD, 1, 0, nullptr, 0};
   CHECK(arcspan_add_character(scene, kWalker, kWalkerBytes, &gouraud, more.data(), room, &stage.character) ==
         ARCSPAN_UNSUPPORTED);
+  const arcspan_look toon{ARCSPAN_ARC, 1, 0, nullptr, 3};
+  CHECK(arcspan_add_character(scene, kWalker, kWalkerBytes, &toon, more.data(), room, &stage.character) ==
+        ARCSPAN_UNSUPPORTED);
+  CHECK(arcspan_add_binary(scene, kWalker, kWalkerBytes, &toon, nullptr) == ARCSPAN_UNSUPPORTED);
   const arcspan_view_limits nothing = arcspan_limits_of(scene, 1);
   CHECK((nothing.objects == 0 && nothing.vertices == 0 && arcspan_limits_of(scene, 0).vertices == 0));
   CHECK(stage.character == kept);

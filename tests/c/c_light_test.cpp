@@ -55,6 +55,8 @@ TEST_CASE("where several lights are compiled without colours, a single coloured 
   const arcspan_light both[] = {white, red};
   CHECK(arcspan_set_lights(scene.scene, &red, 1, kWhiteShares) == ARCSPAN_UNSUPPORTED);
   CHECK(arcspan_set_lights(scene.scene, both, 2, kWhiteShares) == ARCSPAN_UNSUPPORTED);
+  const arcspan_light yellow{{1, 1, 1}, 0, 32768, {32768, 32768, 0}};
+  CHECK(arcspan_set_lights(scene.scene, &yellow, 1, kWhiteShares) == ARCSPAN_UNSUPPORTED);
   CHECK(scene.drawn() == expected);
   const arcspan_light grey{{1, 1, 1}, 0, 16384, {16384, 16384, 16384}};
   CHECK(arcspan_set_lights(scene.scene, &grey, 1, kWhiteShares) == ARCSPAN_OK);
@@ -72,6 +74,8 @@ TEST_CASE("a scene has as many lights as it was last given") {
   CHECK(scene.drawn() == by_one);
   REQUIRE(arcspan_set_lights(scene.scene, lights, 0, kWhiteShares) == ARCSPAN_OK);
   CHECK(scene.drawn() != by_one);
+  const arcspan_light in_origin{{0, 0, 0}, 65536, 32768, kWhiteShares};
+  CHECK(arcspan_set_lights(scene.scene, &in_origin, 1, kWhiteShares) == ARCSPAN_OK);
 }
 
 }  // namespace

@@ -206,6 +206,7 @@ TEST_CASE("quaternions of C turn as those of C++, and products do not drift") {
   Balls balls;
   CHECK(arcspan_set_quaternion(balls.scene, balls.left, q) == ARCSPAN_OK);
   CHECK(arcspan_set_quaternion(balls.scene, 2, q) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(arcspan_multiply({0, 1 << 30, 0, 0}, {0, 0, 1 << 30, 0}).z == 1 << 30);  // ij = k
 }
 
 TEST_CASE("a drag turns the nearest point of an object with it") {
@@ -225,6 +226,18 @@ TEST_CASE("a drag turns the nearest point of an object with it") {
   const arcspan_quaternion back = arcspan_dragged(balls.view, right, -16, 0);
   CHECK(std::abs(back.y) <= 256);  // 18 fraction bits of the sides of the picture
   CHECK(arcspan_dragged(balls.view, none, INT32_MIN, INT32_MAX).w != 0);
+  CHECK(arcspan_dragged(balls.view, none, INT32_MAX, 0).y == arcspan_dragged(balls.view, none, 4096, 0).y);
+  arcspan_lens upright = kLens;
+  upright.width = 32;
+  REQUIRE(arcspan_set_camera(balls.view, &upright, {0, 0, ARCSPAN_LENGTH(4)}, {0, 0, 0}, {1, 0, 0}) ==
+          ARCSPAN_OK);
+  const arcspan_quaternion narrow = arcspan_dragged(balls.view, none, 16, 0);  // about its up, x
+  CHECK(narrow.x / double(1 << 30) == Approx(std::sin(std::atan(16.0 / 32))).margin(1e-6));
+  const arcspan_view_limits limits = arcspan_limits_of(balls.scene, 0);
+  REQUIRE(arcspan_view_make(balls.view_memory.data(), balls.view_memory.size(), &limits, balls.scene,
+                            &balls.view) == ARCSPAN_OK);
+  CHECK(arcspan_dragged(balls.view, narrow, 16, 0).x == narrow.x);  // no camera
+  REQUIRE(arcspan_prepare(balls.view) == ARCSPAN_NOT_READY);
   // Its up is -z, its right -y.
   REQUIRE(arcspan_set_camera(balls.view, &kLens, {ARCSPAN_LENGTH(4), 0, 0}, {0, 0, 0}, {0, 0, -7}) ==
           ARCSPAN_OK);
@@ -309,6 +322,8 @@ TEST_CASE("a view with too little room for objects or vertices says so, and the 
   REQUIRE(arcspan_set_visible(balls.scene, balls.right, 0) == ARCSPAN_OK);
   CHECK(arcspan_prepare(balls.view) == ARCSPAN_OK);
   CHECK(arcspan_draw(balls.view, &target) == ARCSPAN_OK);
+  REQUIRE(arcspan_set_visible(balls.scene, balls.right, 2) == ARCSPAN_OK);  // any number but 0
+  CHECK(arcspan_prepare(balls.view) == ARCSPAN_TOO_MANY_OBJECTS);
   balls.make_view({2, enough.vertices / 4, 0});  // other methods have larger vertices
   CHECK(arcspan_prepare(balls.view) == ARCSPAN_CACHE_TOO_SMALL);
 }
@@ -326,7 +341,9 @@ TEST_CASE("targets that do not fit their memory are refused") {
   };
   CHECK(status_with([](arcspan_target&) {}) == ARCSPAN_OK);
   CHECK(status_with([](arcspan_target& t) { --t.bytes; }) == ARCSPAN_BUFFER_TOO_SMALL);
+  std::fill(pixels.begin(), pixels.end(), std::uint16_t{0x1234});
   CHECK(status_with([](arcspan_target& t) { --t.depth_words; }) == ARCSPAN_BUFFER_TOO_SMALL);
+  CHECK(pixels == std::vector<std::uint16_t>(kWidth * kHeight, 0x1234));
   CHECK(status_with([](arcspan_target& t) { t.stride = 2 * kWidth - 2; }) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(status_with([](arcspan_target& t) { t.stride = -2 * kWidth; }) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(status_with([](arcspan_target& t) { t.held.left = -1; }) == ARCSPAN_INVALID_ARGUMENT);
@@ -337,6 +354,11 @@ TEST_CASE("targets that do not fit their memory are refused") {
         }) == ARCSPAN_INVALID_ARGUMENT);
   CHECK(status_with([](arcspan_target& t) { t.format = ARCSPAN_RGB888; }) == ARCSPAN_UNSUPPORTED);
   CHECK(status_with([](arcspan_target& t) { t.format = 200; }) == ARCSPAN_UNSUPPORTED);
+  CHECK(arcspan_depth_words({0, 0, 32767, 2}) == 65534);
+  CHECK(arcspan_depth_words({0, 0, 2, 32767}) == 65534);
+  for (const arcspan_rect& none :
+       {arcspan_rect{0, 0, 32768, 1}, {0, 0, 1, 32768}, {0, -1, 2, 2}, {3, 0, 3, 2}})
+    CHECK(arcspan_depth_words(none) == 0);
   CHECK(std::string(arcspan_status_text(ARCSPAN_UNSUPPORTED)) == "unsupported");
   CHECK(std::string(arcspan_status_text(255)) == "unknown status");
 }
@@ -435,7 +457,10 @@ TEST_CASE("objects beyond the limits of a scene are refused") {
   CHECK(arcspan_add_model(balls.scene, &ball, &third) == ARCSPAN_BUFFER_TOO_SMALL);
   CHECK(third == 77);
   CHECK(arcspan_set_position(balls.scene, 2, {0, 0, 0}) == ARCSPAN_INVALID_ARGUMENT);
-  CHECK(arcspan_set_scale(balls.scene, balls.left, 1) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(arcspan_set_scale(balls.scene, balls.left, 63) == ARCSPAN_INVALID_ARGUMENT);
+  CHECK(arcspan_set_scale(balls.scene, balls.left, 64) == ARCSPAN_OK);
+  const arcspan_model empty{nullptr, 0};
+  CHECK(arcspan_add_model(balls.scene, &empty, nullptr) == ARCSPAN_INVALID_ARGUMENT);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arcspan/checked.hpp>
-#include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/check_light.hpp>
 #include <arcspan/lighting/directional_light.hpp>
 #include <arcspan/lighting/highlight_fade.hpp>
@@ -15,6 +14,7 @@
 #include <arcspan/lighting/triangle_light.hpp>
 #include <arcspan/numbers/direction.hpp>
 #include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/unroll.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/pixel_format.hpp>
 #include <arcspan/status.hpp>
@@ -24,7 +24,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
 
 namespace arcspan {
 
@@ -103,19 +102,23 @@ class Illumination : private FadeFor<Features>,
       if (half_distance >= power_.half_reach() || scalars[0].raw() <= 0) return ramp;
       return ramp.plus(highlight(fade()(power_(half_distance), scalars[0])));
     } else if constexpr (kHasRamp) {
-      GreySums sums;
-      add_grey_lights(scalars, sums, std::make_index_sequence<Lights>{});
-      const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(sums.diffuse)));
-      return sums.power == 0 ? ramp : ramp.plus(highlight(sums.power));
+      std::uint32_t power = 0;  // of all highlights, weighted; 15 fraction bits
+      unrolled<Lights>([&](auto i) {
+        if (not_negative(scalars[i]) == 0) return;
+        const std::int32_t half_distance = highlight_distance(scalars[i], scalars[highlight_index(i)], i);
+        if (half_distance < power_.half_reach())
+          power += (fade()(power_(half_distance), scalars[i]) * weights_[i] + (1u << 14)) >> 15;
+      });
+      const PackedRgb ramp = diffuse_colour(diffuse_sum(scalars));
+      return power == 0 ? ramp : ramp.plus(highlight(power));
     } else {
       const LightSums sums = light_sums(scalars);
-      return PackedRgb::of(level(0, sums), level(1, sums), level(2, sums));
+      return packed_levels<true>({channel(0, sums), channel(1, sums), channel(2, sums)});
     }
   }
 
   // The functions that `Arc` calls (docs/decisions/0035-one-surface.md).
 
-  [[nodiscard]] constexpr Scalars surface_scalars(const Direction& normal) const { return scalars(normal); }
   /// True if no light reaches a triangle with these scalars at its vertices: with all N·L of one sign there,
   /// they have it everywhere. False where dark pixels have no path of their own.
   [[nodiscard]] constexpr bool is_dark(const Scalars& a, const Scalars& b, const Scalars& c) const;
@@ -126,7 +129,11 @@ class Illumination : private FadeFor<Features>,
                                                    std::uint32_t widest) const;
   /// Scalar i of a vertex as surface_colour() takes it: that of the highlight in the scale of HighlightTable,
   /// and those that are multiplied with half a unit of what the product drops, so that dropping rounds.
-  [[nodiscard]] constexpr Cosine pixel_scalar(Cosine scalar, std::size_t i) const;
+  [[nodiscard]] constexpr Cosine pixel_scalar(Cosine scalar, std::size_t i) const {
+    constexpr Cosine kHalf = Cosine::from_raw(1 << 14);
+    if (Model == Highlight::kPhong) return (i < Lights ? scalar : highlights_.scaled(scalar)) + kHalf;
+    return i < Lights ? scalar : Cosine::from_raw(highlights_.scaled(scalar).raw() >> 1);
+  }
   /// The colour of a pixel with these pixel_scalar().
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb surface_colour(const Scalars& scalars) const {
     if constexpr (Lights == 1) {
@@ -136,7 +143,7 @@ class Illumination : private FadeFor<Features>,
       return diffuse_colour(scalars[0]).plus(highlight);
     } else if constexpr (!kHasRamp) {
       ChannelLevels levels = ambient_;
-      add_coloured<0>(scalars, levels, levels);
+      add_coloured(scalars, levels, levels);
       return packed_levels<true>(levels);
     } else {
       const PixelLight parts = surface_light(scalars);
@@ -144,11 +151,56 @@ class Illumination : private FadeFor<Features>,
     }
   }
   /// The parts of surface_colour().
-  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight surface_light(const Scalars& scalars) const;
+  [[nodiscard]] ARCSPAN_INLINE constexpr PixelLight surface_light(const Scalars& scalars) const {
+    if constexpr (Lights == 1) {
+      const PackedRgb diffuse = diffuse_colour(scalars[0]);
+      const std::int32_t at = closeness(scalars, 0);
+      if (at <= 0 || scalars[0].raw() <= 0) return {diffuse, {}};
+      return {diffuse, highlights_.colour(fade()(highlights_.value(at) >> 16, scalars[0]))};
+    } else if constexpr (kHasRamp) {
+      std::uint32_t light = 0;      // 30 fraction bits
+      std::uint32_t highlight = 0;  // in 8-bit steps, 8 fraction bits; at most four times 255
+      unrolled<Lights>([&](auto i) {
+        const std::int32_t of_light = scalars[i].raw() >> 15;
+        if (of_light <= 0) return;
+        light += static_cast<std::uint32_t>(of_light) * this->shares[i];
+        const std::int32_t at = closeness(scalars, i);
+        if (at > 0) highlight += (fade()(highlights_.value(at) >> 16, scalars[i]) * weights_[i]) >> 15;
+      });
+      const PackedRgb ramp = diffuse_colour(Cosine::from_raw(static_cast<std::int32_t>(light)));
+      if (highlight == 0) return {ramp, {}};
+      if (highlight < std::uint32_t{1} << 16) return {ramp, highlights_.colour(highlight)};
+      return {ramp, highlights_.colour_of_sum(highlight)};
+    } else {
+      ChannelLevels diffuse = ambient_;
+      ChannelLevels specular{};
+      add_coloured(scalars, diffuse, specular);
+      if ((specular[0] | specular[1] | specular[2]) == 0) return {packed_levels<true>(diffuse), {}};
+      constexpr std::uint32_t kFraction = (std::uint32_t{1} << 18) - 1;
+      unrolled<3>([&](auto c) { diffuse[c] += specular[c] & kFraction; });  // their sum is surface_colour()
+      return {packed_levels<true>(diffuse), packed_levels<false>(specular)};
+    }
+  }
 
   /// surface_light() of several coloured lights on a 5-6-5 texel, by one product per light and channel.
   [[nodiscard]] ARCSPAN_INLINE constexpr ChannelLight channel_light(const Scalars& scalars) const
-      requires(Lights > 1 && Features.coloured_lights);
+      requires(Lights > 1 && Features.coloured_lights) {
+    // The sums stay below 2^31 as long as N·L of four lights is below 1.7; that of unit normals is at most 1.
+    ChannelLevels sums = ambient_;
+    ChannelLevels highlight{};
+    add_channel_light(scalars, sums, highlight);
+    const auto factor = [&sums](std::size_t channel) {
+      return clamped_unsigned<10, 18>(static_cast<std::int32_t>(sums[channel] + (std::uint32_t{1} << 19)));
+    };
+    ChannelLight result{{factor(0), factor(1), factor(2)}, 0};
+    if ((highlight[0] | highlight[1] | highlight[2]) == 0) return result;
+    const auto rounded = [&highlight](std::size_t channel) {
+      return static_cast<std::int32_t>(highlight[channel] + (std::uint32_t{1} << 22));
+    };
+    result.shine = clamped_unsigned<5, 23>(rounded(0)) << 11 | clamped_unsigned<6, 23>(rounded(1)) << 22 |
+                   clamped_unsigned<5, 23>(rounded(2));
+    return result;
+  }
 
   /// The closeness of HighlightTable at a pixel with these pixel_scalar().
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t closeness(const Scalars& scalars,
@@ -167,14 +219,26 @@ class Illumination : private FadeFor<Features>,
   /// in `lit` (bit i) has N·L >= 0 and every other one N·L <= 0: N·L of one light, the mean of several by
   /// their weights. It is linear in the normal.
   [[nodiscard]] constexpr Cosine diffuse_scalar(const Scalars& scalars,
-                                                std::uint32_t lit) const requires kHasRamp {
-    return mean_light(scalars, lit);
+                                                [[maybe_unused]] std::uint32_t lit) const requires kHasRamp {
+    if constexpr (Lights == 1) {
+      return scalars[0];
+    } else {
+      Cosine sum{};
+      for (std::size_t i = 0; i < Lights; ++i) {
+        if ((lit >> i & 1u) != 0) sum += Cosine::from_raw(scaled_down(scalars[i].raw(), this->shares[i], 15));
+      }
+      return sum;
+    }
   }
   /// The weighted sum of max(0, N·L), of which diffuse_colour() is the diffuse part of colour() for any
   /// normal. `scalars` begins with N·L of every light.
   template <std::size_t Count>
   [[nodiscard]] ARCSPAN_INLINE constexpr Cosine diffuse_sum(const std::array<Cosine, Count>& scalars) const
-      requires(kHasRamp&& Lights > 1 && Count >= Lights);
+      requires(kHasRamp&& Lights > 1 && Count >= Lights) {
+    std::uint32_t sum = 0;
+    unrolled<Lights>([&](auto i) { sum += not_negative(scalars[i]) * this->shares[i]; });
+    return Cosine::from_raw(static_cast<std::int32_t>(sum));
+  }
   /// Sets `lit` to the lights that reach a triangle with these scalars at its vertices. Returns false if one
   /// of several reaches only a part of it, where diffuse_scalar() does not hold. With all N·L of one sign at
   /// the vertices, they have it everywhere.
@@ -226,18 +290,16 @@ class Illumination : private FadeFor<Features>,
   /// of lights.
   [[nodiscard]] constexpr DeepColour deep_colour(const Scalars& scalars) const {
     const LightSums sums = light_sums(scalars);
-    return {deep_level(0, sums), deep_level(1, sums), deep_level(2, sums)};
+    const auto deep_level = [&](std::size_t c) {
+      const std::uint32_t rounded = (channel(c, sums) + (1u << 11)) >> 12;
+      return static_cast<std::int32_t>(rounded > 65280 ? 65280 : rounded);
+    };
+    return {deep_level(0), deep_level(1), deep_level(2)};
   }
-
-  /// A highlight, each channel clamped; `power` is c^n with 15 fraction bits.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const;
 
  private:
   friend struct HighlightsOver;  // literature/highlights_over.hpp
 
-  [[nodiscard]] static constexpr Cosine highlight_scalar(const Scalars& scalars, std::size_t light) {
-    return scalars[highlight_index(light)];
-  }
   /// Several lights have a weight per channel or one for all. A single light's are in the coefficients.
   static constexpr bool kWeighsChannels = Lights > 1 && Features.coloured_lights;
   using Weights = std::conditional_t<kWeighsChannels, std::array<std::uint32_t, 3>, std::uint32_t>;
@@ -274,35 +336,50 @@ class Illumination : private FadeFor<Features>,
     }
   }
 
-  /// diffuse_scalar().
-  [[nodiscard]] constexpr Cosine mean_light(const Scalars& scalars, std::uint32_t lit) const;
-
-  /// The sums of colour() over several grey lights.
-  struct GreySums {
-    std::uint32_t diffuse = 0;  ///< diffuse_scalar(), 30 fraction bits
-    std::uint32_t power = 0;    ///< of the highlights, weighted; 15 fraction bits
-  };
-  /// Functions and not lambdas, which compilers would call for every pixel.
-  ARCSPAN_INLINE constexpr void add_grey_light(std::size_t light, const Scalars& scalars,
-                                               GreySums& sums) const;
-  template <std::size_t... I>
-  ARCSPAN_INLINE constexpr void add_grey_lights(const Scalars& scalars, GreySums& sums,
-                                                std::index_sequence<I...>) const {
-    (add_grey_light(I, scalars, sums), ...);
+  [[nodiscard]] constexpr LightSums light_sums(const Scalars& scalars) const {
+    LightSums sums;
+    unrolled<Lights>([&](auto i) {
+      const std::uint32_t diffuse = clamped(scalars[i]);
+      if (diffuse == 0) return;
+      const std::int32_t half_distance = highlight_distance(scalars[i], scalars[highlight_index(i)], i);
+      const std::uint32_t specular =
+          half_distance < power_.half_reach() ? fade()(power_(half_distance), scalars[i]) : 0;
+      const auto weighted = [](std::uint32_t value, std::uint32_t weight) {
+        return (value * weight + (1u << 14)) >> 15;
+      };
+      if constexpr (Lights == 1) {
+        sums = {diffuse, specular};
+      } else if constexpr (!kWeighsChannels) {
+        sums.diffuse += weighted(diffuse, weights_[i]);
+        sums.specular += weighted(specular, weights_[i]);
+      } else {
+        unrolled<3>([&](auto c) { sums.diffuse[c] += weighted(diffuse, weights_[i][c]); });
+        if (specular != 0)
+          unrolled<3>([&](auto c) { sums.specular[c] += weighted(specular, weights_[i][c]); });
+      }
+    });
+    return sums;
   }
-
-  /// Adds value * weight to the sum of each channel, all with 15 fraction bits.
-  static constexpr void add_weighted(std::uint32_t value, const Weights& weights, Weights& sums);
-
-  [[nodiscard]] constexpr auto light_sums(const Scalars& scalars) const -> LightSums;
 
   /// Channel `c` in 8-bit steps with 20 fraction bits: 5 of the coefficients and 15 of the sums. At most
   /// 255 * (1 + 4 + 4) * 2^20 < 2^32.
-  [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, const LightSums& sums) const;
-  /// Channel `c` as PackedRgb has it: 2 fraction bits, half an 8-bit step added.
-  [[nodiscard]] constexpr std::uint32_t level(std::size_t c, const LightSums& sums) const;
-  /// Channel `c` in 256ths of an 8-bit step.
-  [[nodiscard]] constexpr std::int32_t deep_level(std::size_t c, const LightSums& sums) const;
+  [[nodiscard]] constexpr std::uint32_t channel(std::size_t c, const LightSums& sums) const {
+    if constexpr (kWeighsChannels) {
+      return ambient_[c] + diffuse_[c] * sums.diffuse[c] + specular_[c] * sums.specular[c];
+    } else {
+      return ambient_[c] + diffuse_[c] * sums.diffuse + specular_[c] * sums.specular;
+    }
+  }
+
+  /// A highlight, each channel clamped; `power` is c^n with 15 fraction bits.
+  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb highlight(std::uint32_t power) const {
+    const auto share = [power](std::uint32_t coefficient) {
+      const std::uint32_t level = (coefficient * power) >> 18;
+      return Lights == 1 || level < 1023 ? level : 1023u;  // several highlights may coincide
+    };
+    if (white_specular_ != 0) return PackedRgb::grey(share(white_specular_));
+    return PackedRgb::of(share(specular_[0]), share(specular_[1]), share(specular_[2]));
+  }
 
   /// The largest of three scalars, at least 0.
   [[nodiscard]] static constexpr std::int32_t largest(Cosine a, Cosine b, Cosine c) {
@@ -310,31 +387,44 @@ class Illumination : private FadeFor<Features>,
     const std::int32_t three = two > c.raw() ? two : c.raw();
     return three > 0 ? three : 0;
   }
-  /// The sums of surface_light() over several grey lights, and over coloured ones.
-  struct GreyLight {
-    std::uint32_t diffuse = 0;    ///< 30 fraction bits
-    std::uint32_t highlight = 0;  ///< in 8-bit steps, 8 fraction bits; at most four times 255
-  };
   using ChannelLevels = std::array<std::uint32_t, 3>;  ///< in 8-bit steps, 20 fraction bits
-  template <std::size_t I>
-  ARCSPAN_INLINE constexpr void add_grey(const Scalars& scalars, GreyLight& sum) const;
-  template <std::size_t I>
-  ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& diffuse,
-                                             ChannelLevels& specular) const;
-  template <std::size_t I, std::size_t Channel>
-  ARCSPAN_INLINE constexpr void add_diffuse(std::uint32_t light, ChannelLevels& sum) const;
-  template <std::size_t I, std::size_t Channel>
-  ARCSPAN_INLINE constexpr void add_specular(std::uint32_t most, ChannelLevels& sum) const;
-  /// Adds value * weights to the sums.
   template <std::size_t Channel = 0>
   ARCSPAN_INLINE static constexpr void add_products(std::uint32_t value, const ChannelLevels& weights,
                                                     ChannelLevels& sums) {
     sums[Channel] += value * weights[Channel];
     if constexpr (Channel < 2) add_products<Channel + 1>(value, weights, sums);
   }
-  template <std::size_t I>
+  /// Add the light of coloured light I and of those behind it. Recursive, and channels unrolled, because gcc
+  /// keeps sums that loops or lambdas over the lights change in memory.
+  template <std::size_t I = 0>
+  ARCSPAN_INLINE constexpr void add_coloured(const Scalars& scalars, ChannelLevels& diffuse,
+                                             ChannelLevels& specular) const {
+    const std::uint32_t light = clamped(scalars[I]);
+    if (light != 0) {
+      const std::int32_t at = closeness(scalars, I);
+      unrolled<3>([&](auto c) { diffuse[c] += diffuse_[c] * ((light * weights_[I][c]) >> 15); });
+      if (at > 0) {
+        const std::uint32_t most = fade()(highlights_.value(at) >> 16, scalars[I]);
+        unrolled<3>(
+            [&](auto c) { specular[c] += ((highlights_.channel(c, most) * weights_[I][c]) >> 15) << 12; });
+      }
+    }
+    if constexpr (I + 1 < Lights) add_coloured<I + 1>(scalars, diffuse, specular);
+  }
+  template <std::size_t I = 0>
   ARCSPAN_INLINE constexpr void add_channel_light(const Scalars& scalars, ChannelLevels& diffuse,
-                                                  ChannelLevels& highlight) const;
+                                                  ChannelLevels& highlight) const {
+    const std::int32_t light = scalars[I].raw() >> 15;  // not clamped: the sum is
+    if (light > 0) {
+      add_products(static_cast<std::uint32_t>(light), this->tints[I], diffuse);
+      const std::int32_t at = closeness(scalars, I);
+      if (at > 0) {
+        const std::uint32_t most = fade()(highlights_.value(at) >> 16, scalars[I]);
+        add_products(most, this->shines[I], highlight);
+      }
+    }
+    if constexpr (I + 1 < Lights) add_channel_light<I + 1>(scalars, diffuse, highlight);
+  }
   /// The colour of these levels, saturated, after half an 8-bit step was added to each if `AddsHalf`.
   template <bool AddsHalf>
   [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels) {
@@ -357,7 +447,13 @@ class Illumination : private FadeFor<Features>,
   constexpr void set_ramp_range();
   constexpr void set_highlight_height(const std::array<DirectionalLight, Lights>& lights);
   /// The weighted sum of N·L at the end of the ramp, 15 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t ramp_range() const;
+  [[nodiscard]] constexpr std::uint32_t ramp_range() const {
+    if constexpr (Lights == 1) {
+      return std::uint32_t{1} << 15;
+    } else {
+      return this->range;
+    }
+  }
   constexpr void make_ramp();
 
   /// Entry i is ambient + diffuse * ramp_range() * (i + 1/2) / size. First, so that it needs no offset.
@@ -387,8 +483,5 @@ class Illumination : private FadeFor<Features>,
 
 }  // namespace arcspan
 
-#include <arcspan/lighting/coloured_lights.hpp>
 #include <arcspan/lighting/illumination_bounds.hpp>
 #include <arcspan/lighting/make_illumination.hpp>
-#include <arcspan/lighting/several_lights.hpp>
-#include <arcspan/lighting/surface_light.hpp>

@@ -2,12 +2,149 @@
 #pragma once
 
 #include <arcspan/lighting/illumination.hpp>
+#include <arcspan/target.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
-/// Bounds of the light over a triangle, by which shading methods choose a path.
+/// Bounds of the light over a triangle, by which shading methods choose a path, and the limits of errors.
 namespace arcspan {
+
+namespace detail {
+
+/// Returns how far a scalar (the product of the normal and a fixed unit vector) may exceed the largest of its
+/// values at the vertices of a triangle whose widest squared chord is s = `chord` (28 fraction bits, at most
+/// 1): s/6 + 0.058 s^2, 30 fraction bits. The normals lie in a cap of the radius R, sin^2(R) <= s/3. The
+/// result is at least 1 / cos(R) - 1 = s/6 + s^2/24 + ..., and therefore at least 1 - cos(R). Only for s
+/// above 0.99 it may be smaller than the former, by less than 2^-13.
+[[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t cap_height(std::uint32_t chord) {
+  const std::uint32_t s = chord >> 13;  // 15 fraction bits
+  return static_cast<std::int32_t>(s * (5462u + ((s * 1901u) >> 15)));
+}
+
+/// Returns x^(2/3), 8 fraction bits, for x of 0...2^16 with 8 fraction bits.
+[[nodiscard]] constexpr std::uint32_t two_thirds_power(std::uint32_t x) {
+  const std::uint64_t square = (std::uint64_t{x} * x) << 8;  // 24 fraction bits
+  std::uint64_t root = 0;
+  for (std::uint64_t bit = std::uint64_t{1} << 18; bit != 0; bit >>= 1) {
+    const std::uint64_t r = root | bit;
+    if (r * r * r <= square) root = r;
+  }
+  return static_cast<std::uint32_t>(root);
+}
+
+/// Returns the squared chord at which a quadratic surface has the error `allowed`, from the squared chord
+/// `limit` at which it has `error`; both have 5 fraction bits. Errors grow with the cube of the angle.
+[[nodiscard]] constexpr std::uint32_t limit_at_error(std::uint32_t limit, std::uint32_t error,
+                                                     std::uint32_t allowed) {
+  const std::uint32_t factor = two_thirds_power((allowed << 8) / (error == 0 ? 1 : error));
+  const std::uint64_t wider = (std::uint64_t{limit} * factor) >> 8;
+  return static_cast<std::uint32_t>(wider < kWidestQuadratic ? wider : kWidestQuadratic);
+}
+
+/// The error of N·L, in 8-bit steps of full light with 5 fraction bits, that planes and quadratic surfaces
+/// may have without tolerance: 0.2.
+inline constexpr std::uint32_t kExactEnough = 6;
+/// The squared chord at which a quadratic surface of full light has that error: 17.8 degrees.
+inline constexpr std::uint32_t kWidestExact = 25690112u;
+/// The error of a highlight at widest_patch(), 1.4 8-bit steps.
+inline constexpr std::uint32_t kHighlightError = 45;
+/// Entry i is (16 / (i + 1))^(2/3) with 4 fraction bits, rounded down. Not a variable of the function,
+/// because gcc would copy it to the stack.
+inline constexpr std::array<std::uint8_t, 16> kWiderAtSlope{101, 64, 48, 40, 34, 30, 27, 25,
+                                                            23,  21, 20, 19, 18, 17, 16, 16};
+
+}  // namespace detail
+
+/// Returns the squared chord (28 fraction bits, as `limit`) at which a surface under highlights of this slope
+/// (0...15) has the error that it has at `limit` under the brightest: `limit` times 1...6.3. The error of a
+/// highlight is that of its cosine, which grows with the cube of the angle, times the slope.
+[[nodiscard]] constexpr std::uint32_t limit_at_slope(std::uint32_t limit, std::uint8_t slope) {
+  return (limit >> 4) * detail::kWiderAtSlope[slope];
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr Status Illumination<Lights, Model, Features>::set_tolerance(std::int32_t steps) {
+  if (steps < 0 || steps > 64) return Status::kInvalidArgument;
+  tolerance_ = steps;
+  set_limits();
+  return Status::kOk;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::most_light() const {
+  if constexpr (!kHasRamp)
+    return most_diffuse() * static_cast<std::uint32_t>(Lights);
+  else
+    return (most_diffuse() * ramp_range()) >> 15;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr void Illumination<Lights, Model, Features>::set_limits() {
+  const std::uint32_t more = static_cast<std::uint32_t>(tolerance_) << 5;
+  constexpr std::uint32_t kTurns = Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N
+  light_height_ = most_light();
+  sharpness_ = (highlight_height_ * shininess_ * kTurns) >> 6;  // below 2^20
+  // Between normals that are 60 degrees apart planes are off by 1.7 times the s/12 of light_over(): there by
+  // one step and the tolerance.
+  const std::uint32_t wide = ((32 + more) * 10 + 8) / 17;
+  allowed_light_ = 12 * (detail::kExactEnough + more < wide ? detail::kExactEnough + more : wide);
+  allowed_highlight_ = 12 * (detail::kHighlightError + more);
+  const std::uint32_t exact = (detail::kExactEnough * light_height_) / (255u << 5);
+  widest_diffuse_ = detail::limit_at_error(detail::kWidestExact, exact, detail::kExactEnough + more);
+  widest_highlight_ =
+      detail::limit_at_error(widest_patch_, detail::kHighlightError, detail::kHighlightError + more);
+  // The least distance at which the highlights of all lights together are below half the tolerance: any, even
+  // one below 0, as bounds may be, if they are so at their peak.
+  shine_reach_ = INT32_MIN;
+  if (highlight_height_ * power_(0) <= more << 14) return;
+  shine_reach_ = 0;
+  for (std::int32_t bit = std::int32_t{1} << 29; bit != 0; bit >>= 1) {
+    const std::int32_t further = shine_reach_ | bit;
+    if (further >= power_.half_reach()) continue;
+    if (highlight_height_ * power_(further) > more << 14) shine_reach_ = further;
+  }
+  ++shine_reach_;
+}
+
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr bool Illumination<Lights, Model, Features>::is_dark([[maybe_unused]] const Scalars& a,
+                                                              [[maybe_unused]] const Scalars& b,
+                                                              [[maybe_unused]] const Scalars& c) const {
+  if constexpr (!kHasRamp) {
+    return false;
+  } else {
+    for (std::size_t i = 0; i < Lights; ++i) {
+      if (a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0) return false;
+    }
+    return true;
+  }
+}
+
+/// By R·V the highlight cannot reach N·L = x if (1 + L·V) / 2 - x is beyond its reach: the half distance (1 +
+/// L·V) / 2 - (N·L)(N·V) is at least that. x is 2^-7 above the N·L from which on highlights have their full
+/// strength.
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr bool Illumination<Lights, Model, Features>::may_end(std::size_t light, const Scalars& a,
+                                                              const Scalars& b, const Scalars& c) const {
+  const std::int32_t lit_from = fade().end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
+  if (Model == Highlight::kPhong && half_one_plus_light_eye_[light] - lit_from >= power_.half_reach())
+    return false;
+  return a[light].raw() < lit_from || b[light].raw() < lit_from || c[light].raw() < lit_from;
+}
+
+/// With p = c^n and h = (1 - c) / 2 the slope is c^(n - 1) = p / c: at most p (1 + 4 h) for c of at least
+/// 1/2, and 2^(1 - n) below.
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(
+    std::int32_t half_distance) const {
+  if (half_distance >= power_.half_reach()) return 0;
+  const std::uint32_t h = half_distance < 0 ? 0 : static_cast<std::uint32_t>(half_distance);
+  if (h > std::uint32_t{1} << 28) return 32768u >> (shininess_ - 1);  // below half_reach() only if n < 10
+  const std::uint32_t power = power_.at_distance(h);
+  return power + ((power * (h >> 15)) >> 13);
+}
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr bool Illumination<Lights, Model, Features>::lit_throughout(const Scalars& a, const Scalars& b,
@@ -35,6 +172,54 @@ constexpr std::int32_t Illumination<Lights, Model, Features>::nearest_highlight_
   const Cosine most_light = highest(light);
   if (most_light.raw() == 0) return INT32_MAX;
   return highlight_distance(most_light, highest(highlight_index(light)), light);
+}
+
+/// The linear normal is shorter than 1 by at most e/2, where e is at most a third of the widest squared chord
+/// s: by s/6, if s is small. Planes are off by half of that, because all values are lengthened by the other
+/// half. So N·L is off by s/12 of its largest value at the corners, the cosine of a highlight by s/3 by R·V,
+/// and by s/12 by N·H.
+template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
+constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const Scalars& a, const Scalars& b,
+                                                                          const Scalars& c,
+                                                                          std::uint32_t widest) const {
+  const Cosine headroom = Cosine::from_raw(detail::cap_height(widest) + (std::int32_t{1} << 18));
+  std::int32_t nearest = INT32_MAX;
+  bool ends = false;
+  std::int32_t brightest = 0;
+  for (std::size_t i = 0; i < Lights; ++i) {
+    const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
+    if (distance < nearest) nearest = distance;
+    if constexpr (Lights == 1) brightest = largest(a[i], b[i], c[i]);
+    if (distance < shine_reach_) ends = ends || may_end(i, a, b, c);
+  }
+  const std::uint32_t s = widest >> 13;  // 15 fraction bits
+  const auto is_linear = [this, s](std::int32_t most) {
+    const std::uint32_t light = (light_height_ * (static_cast<std::uint32_t>(most) >> 15)) >> 15;
+    return ((light * s) >> 15) <= allowed_light_;
+  };
+  TriangleLight result{LightReach::kHighlight, false, 0, static_cast<std::int32_t>((s * 21845u) >> 18),
+                       widest_diffuse_};
+  if constexpr (kHasRamp) {
+    std::uint32_t lit = 0;
+    if (nearest >= shine_reach_ && lit_throughout(a, b, c, lit)) {
+      result.reach = LightReach::kDiffuse;
+      result.lit = static_cast<std::uint8_t>(lit);
+      if constexpr (Lights > 1)
+        brightest = largest(diffuse_scalar(a, lit), diffuse_scalar(b, lit), diffuse_scalar(c, lit));
+      result.linear = is_linear(brightest);
+      return result;
+    }
+  }
+  const std::uint32_t of_nearest = ends ? 32768u : highlight_slope(nearest);
+  const std::uint32_t slope = of_nearest < 32768u ? of_nearest : 32768u;
+  const std::uint32_t sharp = (sharpness_ * (slope >> 3)) >> 12;
+  if constexpr (Lights > 1) brightest = std::int32_t{1} << Cosine::kFraction;
+  result.linear = is_linear(brightest) && s < 4096 && ((sharp * s) >> 9) <= allowed_highlight_;
+  const std::uint32_t limit = slope >= 32768u
+                                  ? widest_highlight_
+                                  : limit_at_slope(widest_highlight_, static_cast<std::uint8_t>(slope >> 11));
+  if (limit < result.quadratic_limit) result.quadratic_limit = limit;
+  return result;
 }
 
 }  // namespace arcspan

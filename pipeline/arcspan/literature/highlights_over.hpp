@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/lighting/arc_bound.hpp>
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/integer.hpp>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <arcspan/lighting/arc_bound.hpp>
-#include <arcspan/lighting/surface_light.hpp>
+#include <arcspan/lighting/illumination.hpp>
 #include <arcspan/literature/arc_shape.hpp>
 #include <arcspan/literature/highlights_over.hpp>
 #include <arcspan/prepare/triangle.hpp>

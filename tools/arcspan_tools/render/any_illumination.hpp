@@ -100,7 +100,6 @@ class AnyIllumination {
 
   /// Sets the tolerance of all copies.
   [[nodiscard]] Status set_tolerance(std::int32_t steps) { return calls_->set_tolerance(steps); }
-  [[nodiscard]] Scalars surface_scalars(const Direction& normal) const { return calls_->scalars(normal); }
   [[nodiscard]] bool is_dark(const Scalars& a, const Scalars& b, const Scalars& c) const {
     return calls_->is_dark(a, b, c);
   }

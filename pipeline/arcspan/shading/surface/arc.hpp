@@ -57,7 +57,7 @@ struct Arc {
   };
 
   [[nodiscard]] static constexpr Vertex shade_vertex(const Lighting& lighting, const Direction& normal) {
-    return {to_normal(normal), 0, lighting.surface_scalars(normal)};
+    return {to_normal(normal), 0, lighting.scalars(normal)};
   }
   [[nodiscard]] static constexpr Face shade_face(const Lighting&, const Direction&) { return {}; }
   /// Returns the vertex at the fraction t, 0...1, of the chord from a to b.

@@ -55,17 +55,9 @@ class EnvironmentMap {
   [[nodiscard]] constexpr Scalars scalars(const Direction& normal) const {
     return {dot(normal, axes_[0]), dot(normal, axes_[1])};
   }
-  /// The texel at (x, -y).
-  [[nodiscard]] ARCSPAN_INLINE constexpr UnlitTexel colour(const Scalars& scalars) const {
-    const std::uint32_t column = place(scalars[0], width_bits_);
-    const std::uint32_t row = place(scalars[1], height_bits_);
-    const std::uint32_t index = (row << width_bits_) | column;
-    return UnlitTexel(Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, index)));
-  }
 
   // The further functions that `Arc` calls; Illumination describes them.
 
-  [[nodiscard]] constexpr Scalars surface_scalars(const Direction& normal) const { return scalars(normal); }
   [[nodiscard]] static constexpr bool is_dark(const Scalars&, const Scalars&, const Scalars&) {
     return false;
   }
@@ -77,8 +69,12 @@ class EnvironmentMap {
     return {LightReach::kHighlight, linear, 0, 0, kWidestQuadratic};
   }
   [[nodiscard]] static constexpr Cosine pixel_scalar(Cosine scalar, std::size_t) { return scalar; }
+  /// The texel at (x, -y).
   [[nodiscard]] ARCSPAN_INLINE constexpr UnlitTexel surface_colour(const Scalars& scalars) const {
-    return colour(scalars);
+    const std::uint32_t column = place(scalars[0], width_bits_);
+    const std::uint32_t row = place(scalars[1], height_bits_);
+    const std::uint32_t index = (row << width_bits_) | column;
+    return UnlitTexel(Texels::ColourFormat::rgb565(Texels::stored(words_, palette_, index)));
   }
 
  private:

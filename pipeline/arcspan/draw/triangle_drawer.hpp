@@ -84,6 +84,8 @@ class TriangleDrawer {
   using Raster = RasterVertex<Method>;
   using Face = typename Method::Face;
   using Target = RowTarget<typename Method::Lighting, Sink, Depth>;
+  template <ScissorColumns kColumns>
+  using DrawnBy = RowDrawer<kColumns, TriangleCommand<Method>, Target>;
   /// True if triangles within the columns of the scissor have a loop of their own.
   static constexpr bool kHasInsideRows =
       kHasCheapRows<TriangleCommand<Method>> && !kOptimisedForSize && kHasManyRegisters;
@@ -266,18 +268,13 @@ class TriangleDrawer {
     ++result_.triangles;
     // A copy, because members would be loaded again for every row. At -Os each run of pixels makes its own.
     std::conditional_t<kOptimisedForSize, const Target&, const Target> target = target_;
-    using Command = TriangleCommand<Method>;
-    if constexpr (kHasInsideRows) {
-      if (target.crosses) [[unlikely]] {
-        using Crossing = RowDrawer<ScissorColumns::kCrossing, Command, Target>;
-        result_.status = Method::walk(command.shade, Crossing{command, origin, target});
-      } else {
-        using Inside = RowDrawer<ScissorColumns::kInside, Command, Target>;
-        result_.status = Method::walk(command.shade, Inside{command, origin, target});
-      }
+    if constexpr (!kHasInsideRows) {
+      result_.status = Method::walk(command.shade, DrawnBy<ScissorColumns::kEither>{command, origin, target});
+    } else if (target.crosses) [[unlikely]] {
+      result_.status =
+          Method::walk(command.shade, DrawnBy<ScissorColumns::kCrossing>{command, origin, target});
     } else {
-      using Either = RowDrawer<ScissorColumns::kEither, Command, Target>;
-      result_.status = Method::walk(command.shade, Either{command, origin, target});
+      result_.status = Method::walk(command.shade, DrawnBy<ScissorColumns::kInside>{command, origin, target});
     }
   }
 

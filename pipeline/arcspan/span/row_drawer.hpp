@@ -56,13 +56,6 @@ ARCSPAN_INLINE constexpr void enter_lower(Command& command, Walker& walker) {
   walker.enter_lower();
 }
 
-/// The first column of a row that is in the picture, at most `drawn`, the first one that is drawn.
-[[nodiscard]] constexpr std::int32_t first_in_picture(std::int32_t begin, std::int32_t drawn) {
-  if (begin >= 0) [[likely]]
-    return begin;
-  return drawn < 0 ? drawn : 0;
-}
-
 /// Draws the pixels of `span` in the current row. `begin` is the row's first column; the span may start right
 /// of it.
 template <class Command, class Walker, class Target>
@@ -74,8 +67,9 @@ template <class Command, class Walker, class Target>
   using Run = typename Walker::Run;
   const RowStart start = row_start(command.unit, command.left, command.right, span.x - begin, span.x);
   if constexpr (kWalksWholeRows<Run, typename Target::Lighting>) {
-    std::int32_t first = span.x;
-    if constexpr (!SinkFromFirstColumn<typename Target::Sink>) first = first_in_picture(begin, span.x);
+    std::int32_t first = span.x;  // or, left of it, the row's first column that is in the picture
+    if constexpr (!SinkFromFirstColumn<typename Target::Sink>)
+      first = begin >= 0 ? begin : span.x < 0 ? span.x : 0;
     Run run = walker.row(row_start(command.unit, command.left, command.right, first - begin, first));
     return draw_pieces(span, span.x - first, command.right.column() - (span.x + span.count), run,
                        linear_at(command.depth, start), command.depth.dx, target, memory);
@@ -89,15 +83,15 @@ template <class Command, class Walker, class Target>
   }
 }
 
-/// draw_run() as a function of its own: in programs that are optimised for size gcc would keep the values of
-/// its loop on the stack.
-template <class Command, class Walker, class Target>
-[[nodiscard]] ARCSPAN_OUTLINE constexpr Status draw_run_outlined(const Command& command, const Walker& walker,
-                                                                 const Span& span, std::int32_t begin,
-                                                                 const Target& target,
-                                                                 const RowMemory<Target>& memory) {
+/// draw_run() as a function of its own, by a `Walker`: in programs that are optimised for size gcc would keep
+/// the values of its loop on the stack.
+template <class Walker, class Command, class Target>
+[[nodiscard]] ARCSPAN_OUTLINE Status draw_run_outlined(const void* walker, const Command& command,
+                                                       const Span& span, std::int32_t begin,
+                                                       const Target& target,
+                                                       const RowMemory<Target>& memory) {
   const Target local = target;  // the members of a reference would be loaded again for every pixel
-  return draw_run(command, walker, span, begin, local, memory);
+  return draw_run(command, *static_cast<const Walker*>(walker), span, begin, local, memory);
 }
 
 /// A walker of any type, so that all walkers of a method share one loop over rows in programs that are
@@ -108,7 +102,10 @@ class AnyWalker {
   /// `walker` must outlive this.
   template <class Walker>
   constexpr explicit AnyWalker(Walker& walker)
-      : walker_(&walker), draw_run_(&draw<Walker>), next_row_(&next<Walker>), enter_lower_(&lower<Walker>) {}
+      : walker_(&walker),
+        draw_run_(&draw_run_outlined<Walker, Command, Target>),
+        next_row_(&next<Walker>),
+        enter_lower_(&lower<Walker>) {}
 
   [[nodiscard]] Status draw_run(const Command& command, const Span& span, std::int32_t begin,
                                 const Target& target, const RowMemory<Target>& memory) const {
@@ -118,13 +115,6 @@ class AnyWalker {
   void enter_lower() { enter_lower_(walker_); }
 
  private:
-  template <class Walker>
-  [[nodiscard]] static Status draw(const void* walker, const Command& command, const Span& span,
-                                   std::int32_t begin, const Target& target,
-                                   const RowMemory<Target>& memory) {
-    const Target local = target;  // the members of a reference would be loaded again for every pixel
-    return detail::draw_run(command, *static_cast<const Walker*>(walker), span, begin, local, memory);
-  }
   template <class Walker>
   static void next(void* walker) {
     static_cast<Walker*>(walker)->next_row();
@@ -163,7 +153,7 @@ template <ScissorColumns kColumns, class Command, class Walker, class Target>
   if constexpr (std::is_same_v<Walker, AnyWalker<Command, Target>>) {
     return walker.draw_run(command, span, begin, target, memory);
   } else if constexpr (kOptimisedForSize) {
-    return draw_run_outlined(command, walker, span, begin, target, memory);
+    return draw_run_outlined<Walker>(&walker, command, span, begin, target, memory);
   } else {
     return draw_run(command, walker, span, begin, target, memory);
   }

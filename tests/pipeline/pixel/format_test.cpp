@@ -2,7 +2,7 @@
 #include <arcspan/literature/colour_segment.hpp>
 #include <arcspan/pixel/pixel_format_list.hpp>
 #include <arcspan/pixel/pixel_operation.hpp>
-#include <arcspan/span/draw_operated.hpp>
+#include <arcspan/span/draw_pixels.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -16,7 +16,7 @@
 #include <arcspan/shading/vertex_coloured.hpp>
 #include <arcspan/shading/with_operation.hpp>
 #include <arcspan/span/depth_mode.hpp>
-#include <arcspan/span/draw_operated.hpp>
+#include <arcspan/span/draw_pixels.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/pixel_operation.hpp>
 #include <arcspan/shading/textured/texel_light.hpp>
-#include <arcspan/span/draw_operated.hpp>
+#include <arcspan/span/draw_pixels.hpp>
 
 #include <cstdint>
 

@@ -51,7 +51,22 @@ class PowerTable {
 
   /// The table of c^n; `exponent` is clamped to 1...256. The error is at most 6.9e-4 below half_reach()
   /// (2^-11 up to n = 16), and 2^-10 from there on, where the power counts as 0 (swept in the tests).
-  constexpr explicit PowerTable(std::int32_t exponent);
+  constexpr explicit PowerTable(std::int32_t exponent) {
+    const std::int32_t n = exponent < 1 ? 1 : exponent > kMaxExponent ? kMaxExponent : exponent;
+    const std::uint32_t reach = detail::half_reach_of(n);
+    half_reach_ = static_cast<std::int32_t>(reach);
+    const auto bits = static_cast<std::uint32_t>(std::bit_width(reach));
+    drop_ = bits > 16 ? bits - 16 : 0;
+    scale_ = ((kIntervals << 8) << 16) / ((reach >> drop_) + 1);
+    for (std::size_t i = 0; i < kIntervals + 2; ++i) {
+      // 1 - c with 31 fraction bits: four times the half distance at position i << 8.
+      const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 2)) << drop_) / scale_;
+      const std::uint64_t base =
+          distance < (std::uint64_t{1} << 31) ? (std::uint64_t{1} << 31) - distance : 0;
+      values_[i] = static_cast<std::uint16_t>(
+          (detail::power_of(static_cast<std::uint32_t>(base), n) + (1u << 15)) >> 16);
+    }
+  }
 
   /// The least (1 - c) / 2 for which the power counts as 0: 30 fraction bits, at most 2^29 + 1.
   [[nodiscard]] constexpr std::int32_t half_reach() const { return half_reach_; }
@@ -76,21 +91,5 @@ class PowerTable {
   std::uint32_t scale_ = 0;  ///< factor from those to a position in the table, 16 fraction bits
   std::array<std::uint16_t, kIntervals + 2> values_{};
 };
-
-constexpr PowerTable::PowerTable(std::int32_t exponent) {
-  const std::int32_t n = exponent < 1 ? 1 : exponent > kMaxExponent ? kMaxExponent : exponent;
-  const std::uint32_t reach = detail::half_reach_of(n);
-  half_reach_ = static_cast<std::int32_t>(reach);
-  const auto bits = static_cast<std::uint32_t>(std::bit_width(reach));
-  drop_ = bits > 16 ? bits - 16 : 0;
-  scale_ = ((kIntervals << 8) << 16) / ((reach >> drop_) + 1);
-  for (std::size_t i = 0; i < kIntervals + 2; ++i) {
-    // 1 - c with 31 fraction bits: four times the half distance at position i << 8.
-    const std::uint64_t distance = ((std::uint64_t{i} << (8 + 16 + 2)) << drop_) / scale_;
-    const std::uint64_t base = distance < (std::uint64_t{1} << 31) ? (std::uint64_t{1} << 31) - distance : 0;
-    values_[i] = static_cast<std::uint16_t>(
-        (detail::power_of(static_cast<std::uint32_t>(base), n) + (1u << 15)) >> 16);
-  }
-}
 
 }  // namespace arcspan

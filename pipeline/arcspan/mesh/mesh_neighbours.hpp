@@ -62,56 +62,6 @@ void neighbours_of_another_mesh();
   return static_cast<std::size_t>(distance) + 1;
 }
 
-}  // namespace detail
-
-/// A view of the neighbours of a mesh's triangles in memory of the caller, usually flash, which must outlive
-/// it: 2.5 to 2.7 bytes per triangle, written by `arcspan mesh --outlines`. OutlineList needs it.
-///
-/// For each triangle in the order of the mesh there is a byte with the EdgeKind of its edges ab (bits 0, 1),
-/// bc (2, 3) and ca (4, 5), then for each edge of them that is kLater or kCrease the number of the triangle
-/// beyond it: how much greater it is than that of this one, minus 1, 7 bits per byte, the lower ones first,
-/// with the upper bit set in all bytes but the last. If the edges are kEarlier or kLater, and each distance
-/// has one byte, bits 6 and 7 are how many there are, so that reading most triangles is fast; they may be 0.
-/// Edges are the same if their ends are at the same positions, in the opposite order, whatever normals and
-/// texture points they have.
-class MeshNeighbours {
- public:
-  constexpr MeshNeighbours() = default;
-
-  /// Makes a view of neighbours, which are checked here once, so that reading them need not. Returns:
-  ///
-  ///   kOk                `neighbours` is set; otherwise it is not changed
-  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, bits 6 and
-  ///                      7 are wrong, a distance has more than 5 bytes, or there are not as many edges that
-  ///                      are kEarlier as kLater and kCrease
-  ///   kIndexOutOfRange   a number names no triangle
-  ///   kInvalidArgument   a triangle beyond an edge has no edge with these ends: those of another mesh
-  static constexpr Status make(const MeshView& mesh, std::span<const std::uint8_t> bytes,
-                               MeshNeighbours& neighbours);
-
-  /// make() as a constant. Neighbours that make() rejects do not compile.
-  [[nodiscard]] static consteval MeshNeighbours of(const MeshView& mesh,
-                                                   std::span<const std::uint8_t> bytes) {
-    MeshNeighbours neighbours;
-    const Status status = make(mesh, bytes, neighbours);
-    if (status == Status::kInvalidArgument) detail::refused::neighbours_of_another_mesh();
-    if (status == Status::kIndexOutOfRange) detail::refused::index_out_of_range();
-    if (status == Status::kCorrupted) detail::refused::neighbours_not_of_as_many_triangles();
-    return neighbours;
-  }
-
-  /// 0 if the view was never made.
-  [[nodiscard]] constexpr std::size_t triangle_count() const { return triangle_count_; }
-  /// The bytes of the first triangle, or null.
-  [[nodiscard]] constexpr const std::uint8_t* bytes() const { return bytes_; }
-
- private:
-  const std::uint8_t* bytes_ = nullptr;
-  std::size_t triangle_count_ = 0;
-};
-
-namespace detail {
-
 /// Checks the bytes of neighbours one after another.
 class NeighbourCheck {
  public:
@@ -185,13 +135,56 @@ class NeighbourCheck {
 
 }  // namespace detail
 
-constexpr Status MeshNeighbours::make(const MeshView& mesh, std::span<const std::uint8_t> bytes,
-                                      MeshNeighbours& neighbours) {
-  const Status status = detail::NeighbourCheck(mesh, bytes).run();
-  if (!ok(status)) return status;
-  neighbours.bytes_ = bytes.data();
-  neighbours.triangle_count_ = mesh.triangle_count();
-  return Status::kOk;
-}
+/// A view of the neighbours of a mesh's triangles in memory of the caller, usually flash, which must outlive
+/// it: 2.5 to 2.7 bytes per triangle, written by `arcspan mesh --outlines`. OutlineList needs it.
+///
+/// For each triangle in the order of the mesh there is a byte with the EdgeKind of its edges ab (bits 0, 1),
+/// bc (2, 3) and ca (4, 5), then for each edge of them that is kLater or kCrease the number of the triangle
+/// beyond it: how much greater it is than that of this one, minus 1, 7 bits per byte, the lower ones first,
+/// with the upper bit set in all bytes but the last. If the edges are kEarlier or kLater, and each distance
+/// has one byte, bits 6 and 7 are how many there are, so that reading most triangles is fast; they may be 0.
+/// Edges are the same if their ends are at the same positions, in the opposite order, whatever normals and
+/// texture points they have.
+class MeshNeighbours {
+ public:
+  constexpr MeshNeighbours() = default;
+
+  /// Makes a view of neighbours, which are checked here once, so that reading them need not. Returns:
+  ///
+  ///   kOk                `neighbours` is set; otherwise it is not changed
+  ///   kCorrupted         `bytes` end too early or too late for mesh.triangle_count() triangles, bits 6 and
+  ///                      7 are wrong, a distance has more than 5 bytes, or there are not as many edges that
+  ///                      are kEarlier as kLater and kCrease
+  ///   kIndexOutOfRange   a number names no triangle
+  ///   kInvalidArgument   a triangle beyond an edge has no edge with these ends: those of another mesh
+  static constexpr Status make(const MeshView& mesh, std::span<const std::uint8_t> bytes,
+                               MeshNeighbours& neighbours) {
+    const Status status = detail::NeighbourCheck(mesh, bytes).run();
+    if (!ok(status)) return status;
+    neighbours.bytes_ = bytes.data();
+    neighbours.triangle_count_ = mesh.triangle_count();
+    return Status::kOk;
+  }
+
+  /// make() as a constant. Neighbours that make() rejects do not compile.
+  [[nodiscard]] static consteval MeshNeighbours of(const MeshView& mesh,
+                                                   std::span<const std::uint8_t> bytes) {
+    MeshNeighbours neighbours;
+    const Status status = make(mesh, bytes, neighbours);
+    if (status == Status::kInvalidArgument) detail::refused::neighbours_of_another_mesh();
+    if (status == Status::kIndexOutOfRange) detail::refused::index_out_of_range();
+    if (status == Status::kCorrupted) detail::refused::neighbours_not_of_as_many_triangles();
+    return neighbours;
+  }
+
+  /// 0 if the view was never made.
+  [[nodiscard]] constexpr std::size_t triangle_count() const { return triangle_count_; }
+  /// The bytes of the first triangle, or null.
+  [[nodiscard]] constexpr const std::uint8_t* bytes() const { return bytes_; }
+
+ private:
+  const std::uint8_t* bytes_ = nullptr;
+  std::size_t triangle_count_ = 0;
+};
 
 }  // namespace arcspan

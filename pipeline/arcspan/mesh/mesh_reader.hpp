@@ -83,78 +83,70 @@ struct MeshArrays {
   const TexturePoint* texture_points = nullptr;
   const Rgb8* colours = nullptr;  ///< null without colours
 
-  MeshArrays(const MeshHeader& header, const std::uint8_t* binary);
+  // Sizes fit std::size_t, because the whole binary is in memory.
+  ARCSPAN_INLINE MeshArrays(const MeshHeader& header, const std::uint8_t* binary)
+      : vertices(static_cast<std::size_t>(header.vertices)),
+        triangles(static_cast<std::size_t>(header.triangles)) {
+    const std::uint8_t* const first_normal = binary + mesh_binary::kHeaderBytes + 6 * vertices;
+    const std::uint8_t* const first_index = first_normal + 4 * vertices;
+    positions = elements_at<ObjectPosition>(binary + mesh_binary::kHeaderBytes);
+    normals = elements_at<PackedNormal>(first_normal);
+    const std::size_t index_bytes = (header.indices8 ? 3 : 6) * triangles;
+    if (header.indices8) {
+      indices8 = first_index;
+    } else {
+      indices16 = elements_at<std::uint16_t>(first_index);
+    }
+    const std::uint8_t* at = first_index + index_bytes + ((0 - (10 * vertices + index_bytes)) & 3u);
+    if (header.planes) {
+      plane_scale = at;
+      planes = elements_at<FacePlane>(at + mesh_binary::kScaleBytes);
+      at += mesh_binary::kScaleBytes + sizeof(FacePlane) * triangles;
+    }
+    if (header.texture_points) {
+      texture_scale = at;
+      texture_points = elements_at<TexturePoint>(at + mesh_binary::kTextureScaleBytes);
+      at += mesh_binary::kTextureScaleBytes + sizeof(TexturePoint) * vertices;
+    }
+    if (header.colours) colours = elements_at<Rgb8>(at);
+  }
 
   [[nodiscard]] PlaneScale scale_of_planes() const {
     return {static_cast<std::int8_t>(plane_scale[0]), plane_scale[1], little_u16(plane_scale + 2)};
   }
   /// A view of arrays that check() has accepted.
-  [[nodiscard]] MeshView checked_view() const;
+  [[nodiscard]] ARCSPAN_INLINE MeshView checked_view() const {
+    MeshView view({positions, vertices}, {normals, vertices}, triangles);
+    view.indices8_ = indices8;
+    view.indices16_ = indices16;
+    view.planes_ = planes;
+    if (planes != nullptr) view.plane_scale_ = scale_of_planes();
+    view.texture_points_ = texture_points;
+    if (texture_points != nullptr) view.texture_scale_ = {texture_scale[0]};
+    view.colours_ = colours;
+    return view;
+  }
   /// Makes a view, after all checks of MeshView.
-  [[nodiscard]] Status check(MeshView& view) const;
+  [[nodiscard]] ARCSPAN_INLINE Status check(MeshView& view) const {
+    const std::span vertex_positions(positions, vertices);
+    const std::span vertex_normals(normals, vertices);
+    const Status status =
+        indices8 != nullptr
+            ? MeshView::make(vertex_positions, vertex_normals, std::span(indices8, 3 * triangles), view)
+            : MeshView::make(vertex_positions, vertex_normals, std::span(indices16, 3 * triangles), view);
+    return ok(status) ? check_attached(view) : status;
+  }
   /// Attaches what is there besides vertices and triangles.
-  [[nodiscard]] Status check_attached(MeshView& view) const;
+  [[nodiscard]] ARCSPAN_INLINE Status check_attached(MeshView& view) const {
+    Status status = Status::kOk;
+    if (planes != nullptr) status = view.attach(std::span(planes, triangles), scale_of_planes());
+    if (ok(status) && texture_points != nullptr) {
+      if (little_u32(texture_scale) > 0xFF) return Status::kCorrupted;
+      status = view.attach(std::span(texture_points, vertices), {texture_scale[0]});
+    }
+    if (ok(status) && colours != nullptr) status = view.attach(std::span(colours, vertices));
+    return ok(status) ? status : Status::kCorrupted;
+  }
 };
-
-// Sizes fit std::size_t, because the whole binary is in memory.
-ARCSPAN_INLINE inline MeshArrays::MeshArrays(const MeshHeader& header, const std::uint8_t* binary)
-    : vertices(static_cast<std::size_t>(header.vertices)),
-      triangles(static_cast<std::size_t>(header.triangles)) {
-  const std::uint8_t* const first_normal = binary + mesh_binary::kHeaderBytes + 6 * vertices;
-  const std::uint8_t* const first_index = first_normal + 4 * vertices;
-  positions = elements_at<ObjectPosition>(binary + mesh_binary::kHeaderBytes);
-  normals = elements_at<PackedNormal>(first_normal);
-  const std::size_t index_bytes = (header.indices8 ? 3 : 6) * triangles;
-  if (header.indices8) {
-    indices8 = first_index;
-  } else {
-    indices16 = elements_at<std::uint16_t>(first_index);
-  }
-  const std::uint8_t* at = first_index + index_bytes + ((0 - (10 * vertices + index_bytes)) & 3u);
-  if (header.planes) {
-    plane_scale = at;
-    planes = elements_at<FacePlane>(at + mesh_binary::kScaleBytes);
-    at += mesh_binary::kScaleBytes + sizeof(FacePlane) * triangles;
-  }
-  if (header.texture_points) {
-    texture_scale = at;
-    texture_points = elements_at<TexturePoint>(at + mesh_binary::kTextureScaleBytes);
-    at += mesh_binary::kTextureScaleBytes + sizeof(TexturePoint) * vertices;
-  }
-  if (header.colours) colours = elements_at<Rgb8>(at);
-}
-
-ARCSPAN_INLINE inline MeshView MeshArrays::checked_view() const {
-  MeshView view({positions, vertices}, {normals, vertices}, triangles);
-  view.indices8_ = indices8;
-  view.indices16_ = indices16;
-  view.planes_ = planes;
-  if (planes != nullptr) view.plane_scale_ = scale_of_planes();
-  view.texture_points_ = texture_points;
-  if (texture_points != nullptr) view.texture_scale_ = {texture_scale[0]};
-  view.colours_ = colours;
-  return view;
-}
-
-ARCSPAN_INLINE inline Status MeshArrays::check_attached(MeshView& view) const {
-  Status status = Status::kOk;
-  if (planes != nullptr) status = view.attach(std::span(planes, triangles), scale_of_planes());
-  if (ok(status) && texture_points != nullptr) {
-    if (little_u32(texture_scale) > 0xFF) return Status::kCorrupted;
-    status = view.attach(std::span(texture_points, vertices), {texture_scale[0]});
-  }
-  if (ok(status) && colours != nullptr) status = view.attach(std::span(colours, vertices));
-  return ok(status) ? status : Status::kCorrupted;
-}
-
-ARCSPAN_INLINE inline Status MeshArrays::check(MeshView& view) const {
-  const std::span vertex_positions(positions, vertices);
-  const std::span vertex_normals(normals, vertices);
-  const Status status =
-      indices8 != nullptr
-          ? MeshView::make(vertex_positions, vertex_normals, std::span(indices8, 3 * triangles), view)
-          : MeshView::make(vertex_positions, vertex_normals, std::span(indices16, 3 * triangles), view);
-  return ok(status) ? check_attached(view) : status;
-}
 
 }  // namespace arcspan::detail

@@ -35,6 +35,27 @@ namespace detail {
 
 struct MeshArrays;  // mesh_reader.hpp
 
+/// The squared distance of a vertex from the object's origin, at most 3 * 2^30.
+[[nodiscard]] constexpr std::uint32_t squared_distance(const ObjectPosition& p) {
+  const auto square = [](std::int32_t c) { return static_cast<std::uint32_t>(c * c); };
+  return square(p.x) + square(p.y) + square(p.z);
+}
+
+inline constexpr std::uint32_t kMostVertices = 65536;
+
+/// The checks of MeshView::make().
+template <class Index>
+[[nodiscard]] constexpr Status check_mesh(std::size_t positions, std::size_t normals,
+                                          std::span<const Index> indices) {
+  if (positions != normals || positions > kMostVertices || indices.size() % 3 != 0) {
+    return Status::kInvalidArgument;
+  }
+  for (const Index index : indices) {
+    if (index >= positions) return Status::kIndexOutOfRange;
+  }
+  return Status::kOk;
+}
+
 // The reasons of MeshView::of() and with().
 namespace refused {
 void positions_and_normals_differ_in_number();
@@ -53,7 +74,7 @@ constexpr void refuse_mesh(Status status, std::size_t positions, std::size_t nor
   if (ok(status)) return;
   if (status != Status::kInvalidArgument) return refuse(status);
   if (positions != normals) return refused::positions_and_normals_differ_in_number();
-  if (std::uint64_t{positions} > 65536) return refused::more_than_65536_vertices();
+  if (std::uint64_t{positions} > kMostVertices) return refused::more_than_65536_vertices();
   if (status == Status::kInvalidArgument) refused::indices_not_a_multiple_of_3();
 }
 
@@ -75,6 +96,7 @@ constexpr void refuse_points(bool as_many_as_vertices) {
 class MeshView {
  public:
   static constexpr std::uint32_t kMaxVertices = 65536;
+  static_assert(kMaxVertices == detail::kMostVertices);
 
   constexpr MeshView() = default;
 
@@ -90,10 +112,22 @@ class MeshView {
   ///   kIndexOutOfRange   an index names no vertex
   static constexpr Status make(std::span<const ObjectPosition> positions,
                                std::span<const PackedNormal> normals, std::span<const std::uint16_t> indices,
-                               MeshView& view);
+                               MeshView& view) {
+    const Status status = detail::check_mesh(positions.size(), normals.size(), indices);
+    if (!ok(status)) return status;
+    view = MeshView(positions, normals, indices.size() / 3);
+    view.indices16_ = indices.data();
+    return Status::kOk;
+  }
   static constexpr Status make(std::span<const ObjectPosition> positions,
                                std::span<const PackedNormal> normals, std::span<const std::uint8_t> indices,
-                               MeshView& view);
+                               MeshView& view) {
+    const Status status = detail::check_mesh(positions.size(), normals.size(), indices);
+    if (!ok(status)) return status;
+    view = MeshView(positions, normals, indices.size() / 3);
+    view.indices8_ = indices.data();
+    return Status::kOk;
+  }
 
   /// make() as a constant. Arrays that make() rejects do not compile.
   [[nodiscard]] static consteval MeshView of(std::span<const ObjectPosition> positions,
@@ -117,7 +151,16 @@ class MeshView {
   /// Returns kInvalidArgument, and changes nothing, if the number of planes is not that of triangles, a
   /// member of `scale` is out of range, or a vertex is farther from the origin than scale.radius. The planes
   /// themselves are not checked; with wrong ones front faces are culled.
-  constexpr Status attach(std::span<const FacePlane> planes, const PlaneScale& scale);
+  constexpr Status attach(std::span<const FacePlane> planes, const PlaneScale& scale) {
+    if (planes.size() != triangle_count_ || !scale.valid()) return Status::kInvalidArgument;
+    const std::uint32_t radius = scale.radius;
+    for (std::size_t i = 0; i < vertex_count_; ++i) {
+      if (detail::squared_distance(positions_[i]) > radius * radius) return Status::kInvalidArgument;
+    }
+    planes_ = planes.data();
+    plane_scale_ = scale;
+    return Status::kOk;
+  }
   /// A copy with attach() done, as a constant. Planes that attach() rejects do not compile.
   [[nodiscard]] consteval MeshView with(std::span<const FacePlane> planes, const PlaneScale& scale) const {
     MeshView view = *this;
@@ -128,7 +171,15 @@ class MeshView {
   /// Attaches a texture point for each vertex, 4 bytes each. Returns kInvalidArgument, and changes nothing,
   /// if their number is not that of vertices or the scale is out of range. Without them all points are (0,
   /// 0).
-  constexpr Status attach(std::span<const TexturePoint> points, const TextureScale& scale);
+  constexpr Status attach(std::span<const TexturePoint> points, const TextureScale& scale) {
+    if (points.size() != vertex_count_ || scale.fraction_bits < TextureScale::kLeastBits ||
+        scale.fraction_bits > TextureScale::kMostBits) {
+      return Status::kInvalidArgument;
+    }
+    texture_points_ = points.data();
+    texture_scale_ = scale;
+    return Status::kOk;
+  }
   /// A copy with attach() done, as a constant. Points that attach() rejects do not compile.
   [[nodiscard]] consteval MeshView with(std::span<const TexturePoint> points,
                                         const TextureScale& scale) const {
@@ -139,7 +190,11 @@ class MeshView {
 
   /// Attaches a colour for each vertex, 3 bytes each. Returns kInvalidArgument, and changes nothing, if their
   /// number is not that of vertices. Without them all vertices are white.
-  constexpr Status attach(std::span<const Rgb8> colours);
+  constexpr Status attach(std::span<const Rgb8> colours) {
+    if (colours.size() != vertex_count_) return Status::kInvalidArgument;
+    colours_ = colours.data();
+    return Status::kOk;
+  }
   /// A copy with attach() done, as a constant. Colours that attach() rejects do not compile.
   [[nodiscard]] consteval MeshView with(std::span<const Rgb8> colours) const {
     MeshView view = *this;
@@ -222,5 +277,3 @@ class MeshView {
 };
 
 }  // namespace arcspan
-
-#include <arcspan/mesh/make_mesh_view.hpp>

@@ -59,7 +59,18 @@ class Object {
     return material_ != nullptr ? Part{material_, 0, mesh_->triangle_count()} : parts_[i];
   }
   /// The middle of the bounding sphere in world space, saturated to the range of WorldLength.
-  [[nodiscard]] constexpr WorldPoint middle() const;
+  [[nodiscard]] constexpr WorldPoint middle() const {
+    const std::int64_t from_origin[3] = {sphere_.middle.x, sphere_.middle.y, sphere_.middle.z};
+    const auto along = [&](std::size_t i, WorldLength origin) {
+      std::int64_t sum = 0;  // 30 fraction bits, below 2^48
+      for (std::size_t j = 0; j < 3; ++j) sum += from_origin[j] * rotation.m[i][j].raw();
+      const std::int64_t at = origin.raw() + (((sum >> 17) * scale.raw()) >> 28);
+      return WorldLength::from_raw(static_cast<std::int32_t>(at > INT32_MAX   ? INT32_MAX
+                                                             : at < INT32_MIN ? INT32_MIN
+                                                                              : at));
+    };
+    return {along(0, position.x), along(1, position.y), along(2, position.z)};
+  }
 
  private:
   const MeshView* mesh_;
@@ -67,18 +78,5 @@ class Object {
   std::span<const Part> parts_;
   BoundingSphere sphere_;
 };
-
-constexpr WorldPoint Object::middle() const {
-  const std::int64_t from_origin[3] = {sphere_.middle.x, sphere_.middle.y, sphere_.middle.z};
-  const auto along = [&](std::size_t i, WorldLength origin) {
-    std::int64_t sum = 0;  // 30 fraction bits, below 2^48
-    for (std::size_t j = 0; j < 3; ++j) sum += from_origin[j] * rotation.m[i][j].raw();
-    const std::int64_t at = origin.raw() + (((sum >> 17) * scale.raw()) >> 28);
-    return WorldLength::from_raw(static_cast<std::int32_t>(at > INT32_MAX   ? INT32_MAX
-                                                           : at < INT32_MIN ? INT32_MIN
-                                                                            : at));
-  };
-  return {along(0, position.x), along(1, position.y), along(2, position.z)};
-}
 
 }  // namespace arcspan

@@ -44,7 +44,21 @@ class SceneLight {
 
   /// The light as an object sees it: `at` is the middle of its bounding sphere, and `rotation` turns object
   /// space to world space. `towards` is in object space. A point light at `at` itself shines nowhere.
-  [[nodiscard]] constexpr DirectionalLight seen_from(const WorldPoint& at, const Rotation& rotation) const;
+  [[nodiscard]] constexpr DirectionalLight seen_from(const WorldPoint& at, const Rotation& rotation) const {
+    if (!is_point()) return {rotation.to_object(towards_), strength_, colour_};
+    const std::array<std::int64_t, 3> to_light = detail::difference(at, position_);
+    // The largest component has at most 31 bits, so that the sum of squares fits 64.
+    const int down =
+        static_cast<int>((magnitude(to_light[0]) | magnitude(to_light[1]) | magnitude(to_light[2])) >> 31);
+    std::uint64_t square = 0;
+    for (const std::int64_t c : to_light) square += (magnitude(c) >> down) * (magnitude(c) >> down);
+    const std::uint64_t distance = std::uint64_t{wide_integer_root(square)} << down;
+    const auto half = static_cast<std::uint64_t>(half_.raw());
+    const auto left =
+        static_cast<std::int32_t>(static_cast<std::uint64_t>(strength_.raw()) * half / (distance + half));
+    return {rotation.to_object(normalised_wide(to_light[0], to_light[1], to_light[2])),
+            Coefficient::from_raw(left), colour_};
+  }
 
   /// True if the strength and the colour are in 0...1, and the half distance of a point light above 0.
   [[nodiscard]] constexpr bool valid() const {
@@ -86,21 +100,5 @@ namespace detail {
 }
 
 }  // namespace detail
-
-constexpr DirectionalLight SceneLight::seen_from(const WorldPoint& at, const Rotation& rotation) const {
-  if (!is_point()) return {rotation.to_object(towards_), strength_, colour_};
-  const std::array<std::int64_t, 3> to_light = detail::difference(at, position_);
-  // The largest component has at most 31 bits, so that the sum of squares fits 64.
-  const int down =
-      static_cast<int>((magnitude(to_light[0]) | magnitude(to_light[1]) | magnitude(to_light[2])) >> 31);
-  std::uint64_t square = 0;
-  for (const std::int64_t c : to_light) square += (magnitude(c) >> down) * (magnitude(c) >> down);
-  const std::uint64_t distance = std::uint64_t{wide_integer_root(square)} << down;
-  const auto half = static_cast<std::uint64_t>(half_.raw());
-  const auto left =
-      static_cast<std::int32_t>(static_cast<std::uint64_t>(strength_.raw()) * half / (distance + half));
-  return {rotation.to_object(normalised_wide(to_light[0], to_light[1], to_light[2])),
-          Coefficient::from_raw(left), colour_};
-}
 
 }  // namespace arcspan

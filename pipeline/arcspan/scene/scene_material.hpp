@@ -119,6 +119,24 @@ class SceneMaterial {
   const detail::UseFacts* use_;
 };
 
+namespace detail {
+
+/// `a` times `b` per channel, rounded.
+[[nodiscard]] constexpr ChannelCoefficients product(const ChannelCoefficients& a,
+                                                    const ChannelCoefficients& b) {
+  return {multiply<Coefficient>(a.r, b.r), multiply<Coefficient>(a.g, b.g), multiply<Coefficient>(a.b, b.b)};
+}
+
+/// The material under ambient light of a colour in 0...1.
+[[nodiscard]] constexpr Material under(const ChannelCoefficients& ambient, const Material& material) {
+  Material lit = material;
+  // Out of range in the same cases as the material is.
+  if (in_unit_range(material.ambient)) lit.ambient = product(material.ambient, ambient);
+  return lit;
+}
+
+}  // namespace detail
+
 /// A material ready for drawing by one shading method: colour ramp, power table and all else that does not
 /// depend on directions. Usually a constant in flash. `M` is a method or a Use.
 template <class M>
@@ -135,7 +153,29 @@ class PreparedMaterial : public SceneMaterial {
   /// and the parameters of an operation, of `prepared`. Returns, and does not change `prepared` unless kOk,
   /// kTooManyLights or the status of Illumination::make().
   [[nodiscard]] static constexpr Status make(const Material& material, const LightList& lights,
-                                             const DrawOptions& options, PreparedMaterial& prepared);
+                                             const DrawOptions& options, PreparedMaterial& prepared) {
+    using Illumination = detail::IlluminationOf<Lighting>;
+    Status status = detail::check_lights(lights, Illumination::kLights);
+    if (!ok(status)) return status;
+    constexpr Direction kAhead = normalised(0, 0, 1);
+    std::array<DirectionalLight, Illumination::kLights> all{};
+    for (DirectionalLight& light : all) light = {kAhead, Coefficient{}, kWhite};
+    for (std::size_t i = 0; i < lights.lights.size(); ++i) {
+      all[i] = {kAhead, lights.lights[i].strength(), lights.lights[i].colour()};
+    }
+    Illumination& illumination = prepared.lighting_;  // a copy takes 2 KB of stack
+    status = Illumination::make(detail::under(lights.ambient, material), all, kAhead, illumination);
+    if (!ok(status)) return status;
+    detail::relight(prepared.lighting_, illumination);
+    (void)prepared.set_tolerance(kDefaultTolerance);
+    prepared.options_ = options;
+    prepared.made_for_.ambient = lights.ambient;
+    if constexpr (kSingleLight) {
+      prepared.made_for_.weights = detail::channel_weights(all[0]);
+      if constexpr (Used::kChangingLight) prepared.made_for_.material = material;
+    }
+    return Status::kOk;
+  }
 
   /// make() as a constant. Arguments that make() rejects do not compile.
   [[nodiscard]] static consteval PreparedMaterial of(const Material& material, const LightList& lights,
@@ -196,7 +236,33 @@ class PreparedMaterial : public SceneMaterial {
 
   /// @cond for draw_mesh() and draw_scene(), not in the reference
   /// Sets `lighting` to this material under the lights of one object. Returns kLightChanged as Use states.
-  [[nodiscard]] constexpr Status light(const detail::ObjectLights& seen, Lighting& lighting) const;
+  [[nodiscard]] constexpr Status light(const detail::ObjectLights& seen, Lighting& lighting) const {
+    using Illumination = detail::IlluminationOf<Lighting>;
+    std::array<DirectionalLight, Illumination::kLights> lights{};
+    std::array<Direction, Illumination::kLights> towards{};
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      lights[i] = seen.lights[i];
+      towards[i] = lights[i].towards;
+    }
+    if (!is_made_for(seen)) {
+      if constexpr (kSingleLight && Used::kChangingLight) {
+        // A point light in the object's middle has no direction, which make() takes without a strength only.
+        if (towards[0] == Direction{}) lights[0].strength = {};
+        copy_words(lighting_, lighting);
+        Illumination& illumination = lighting;
+        Status status = Illumination::make(detail::under(seen.ambient, made_for_.material), lights,
+                                           seen.to_eye, illumination);
+        if (ok(status)) status = illumination.set_tolerance(lighting_.tolerance());
+        if (ok(status)) detail::relight(lighting, illumination);
+        return status;
+      }
+      return Status::kLightChanged;
+    }
+    copy_words(lighting_, lighting);
+    lighting.set_directions(towards, seen.to_eye);
+    if constexpr (!kSingleLight) lighting.set_strengths(lights);
+    return Status::kOk;
+  }
   /// @endcond
 
  private:
@@ -217,7 +283,16 @@ class PreparedMaterial : public SceneMaterial {
   static constexpr bool kSingleLight = detail::kUseFacts<Used>.lights == 1;
 
   /// Whether the material was made for these lights, as far as they are part of it.
-  [[nodiscard]] constexpr bool is_made_for(const detail::ObjectLights& seen) const;
+  [[nodiscard]] constexpr bool is_made_for(const detail::ObjectLights& seen) const {
+    if (seen.ambient != made_for_.ambient) return false;
+    if constexpr (kSingleLight) {
+      const detail::ChannelWeights now = detail::channel_weights(seen.lights[0]);
+      const detail::ChannelWeights& then = made_for_.weights;
+      return now[0] == then[0] && now[1] == then[1] && now[2] == then[2];  // == would call memcmp
+    } else {
+      return true;
+    }
+  }
 
   DrawOptions options_{};
   Lighting lighting_;
@@ -225,99 +300,5 @@ class PreparedMaterial : public SceneMaterial {
                                            std::conditional_t<kIsLit, MadeFor, Nothing>>
       made_for_{};
 };
-
-namespace detail {
-
-/// `a` times `b` per channel, rounded.
-[[nodiscard]] constexpr ChannelCoefficients product(const ChannelCoefficients& a,
-                                                    const ChannelCoefficients& b) {
-  return {multiply<Coefficient>(a.r, b.r), multiply<Coefficient>(a.g, b.g), multiply<Coefficient>(a.b, b.b)};
-}
-
-/// The material under ambient light of a colour in 0...1.
-[[nodiscard]] constexpr Material under(const ChannelCoefficients& ambient, const Material& material) {
-  Material lit = material;
-  // Out of range in the same cases as the material is.
-  if (in_unit_range(material.ambient)) lit.ambient = product(material.ambient, ambient);
-  return lit;
-}
-
-[[nodiscard]] constexpr bool differ(const ChannelWeights& a, const ChannelWeights& b) {
-  return a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
-}
-
-/// The first `Count` of the lights that an object sees.
-template <std::size_t Count>
-[[nodiscard]] constexpr std::array<DirectionalLight, Count> first_lights(const ObjectLights& seen) {
-  std::array<DirectionalLight, Count> lights{};
-  for (std::size_t i = 0; i < Count; ++i) lights[i] = seen.lights[i];
-  return lights;
-}
-
-}  // namespace detail
-
-template <class M>
-constexpr Status PreparedMaterial<M>::make(const Material& material, const LightList& lights,
-                                           const DrawOptions& options, PreparedMaterial& prepared) {
-  using Illumination = detail::IlluminationOf<Lighting>;
-  Status status = detail::check_lights(lights, Illumination::kLights);
-  if (!ok(status)) return status;
-  constexpr Direction kAhead = normalised(0, 0, 1);
-  std::array<DirectionalLight, Illumination::kLights> all{};
-  for (DirectionalLight& light : all) light = {kAhead, Coefficient{}, kWhite};
-  for (std::size_t i = 0; i < lights.lights.size(); ++i) {
-    all[i] = {kAhead, lights.lights[i].strength(), lights.lights[i].colour()};
-  }
-  Illumination& illumination = prepared.lighting_;  // a copy takes 2 KB of stack
-  status = Illumination::make(detail::under(lights.ambient, material), all, kAhead, illumination);
-  if (!ok(status)) return status;
-  detail::relight(prepared.lighting_, illumination);
-  (void)prepared.set_tolerance(kDefaultTolerance);
-  prepared.options_ = options;
-  prepared.made_for_.ambient = lights.ambient;
-  if constexpr (kSingleLight) {
-    prepared.made_for_.weights = detail::channel_weights(all[0]);
-    if constexpr (Used::kChangingLight) prepared.made_for_.material = material;
-  }
-  return Status::kOk;
-}
-
-/// @cond
-template <class M>
-constexpr bool PreparedMaterial<M>::is_made_for(const detail::ObjectLights& seen) const {
-  if (seen.ambient != made_for_.ambient) return false;
-  if constexpr (kSingleLight) {
-    return !detail::differ(detail::channel_weights(seen.lights[0]), made_for_.weights);
-  } else {
-    return true;
-  }
-}
-
-template <class M>
-constexpr Status PreparedMaterial<M>::light(const detail::ObjectLights& seen, Lighting& lighting) const {
-  using Illumination = detail::IlluminationOf<Lighting>;
-  auto lights = detail::first_lights<Illumination::kLights>(seen);
-  std::array<Direction, Illumination::kLights> towards{};
-  for (std::size_t i = 0; i < lights.size(); ++i) towards[i] = lights[i].towards;
-  if (!is_made_for(seen)) {
-    if constexpr (kSingleLight && Used::kChangingLight) {
-      // A point light in the object's middle has no direction, which make() takes without a strength only.
-      if (towards[0] == Direction{}) lights[0].strength = {};
-      copy_words(lighting_, lighting);
-      Illumination& illumination = lighting;
-      Status status = Illumination::make(detail::under(seen.ambient, made_for_.material), lights, seen.to_eye,
-                                         illumination);
-      if (ok(status)) status = illumination.set_tolerance(lighting_.tolerance());
-      if (ok(status)) detail::relight(lighting, illumination);
-      return status;
-    }
-    return Status::kLightChanged;
-  }
-  copy_words(lighting_, lighting);
-  lighting.set_directions(towards, seen.to_eye);
-  if constexpr (!kSingleLight) lighting.set_strengths(lights);
-  return Status::kOk;
-}
-/// @endcond
 
 }  // namespace arcspan

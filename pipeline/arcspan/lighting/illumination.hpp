@@ -7,7 +7,6 @@
 #include <arcspan/lighting/highlight_fade.hpp>
 #include <arcspan/lighting/highlight_table.hpp>
 #include <arcspan/lighting/illumination_features.hpp>
-#include <arcspan/lighting/light_scale.hpp>
 #include <arcspan/lighting/material.hpp>
 #include <arcspan/lighting/pixel_light.hpp>
 #include <arcspan/lighting/power_table.hpp>
@@ -26,6 +25,32 @@
 #include <type_traits>
 
 namespace arcspan {
+
+/// How the sum of several grey lights becomes a position in their ramp. All members have 15 fraction bits.
+template <std::size_t Lights>
+struct RampScale {
+  /// The weighted sum of N·L at the end of the ramp, and its reciprocal. It depends on the material only, so
+  /// that a change of the weights need not make the ramp.
+  std::uint32_t range = 0;
+  std::uint32_t inverse = 0;
+  std::array<std::uint32_t, Lights> shares{};  ///< the lights' weights times `inverse`
+};
+/// For each of several coloured lights, and red, green and blue: the factors by which N·L and the highlight
+/// become parts of a ChannelLight.
+template <std::size_t Lights>
+struct ChannelScale {
+  /// For N·L: the diffuse coefficient times the light's weight, in 8-bit steps with 5 fraction bits.
+  std::array<std::array<std::uint32_t, 3>, Lights> tints{};
+  /// For the highlight: how many steps of a 5-6-5 pixel one 8-bit step of HighlightTable::value() becomes,
+  /// with the light's weight and the channel's share of the highlight, 15 fraction bits.
+  std::array<std::array<std::uint32_t, 3>, Lights> shines{};
+};
+/// Used for a single light, whose ramp is over N·L.
+struct NoScale {};
+template <std::size_t Lights, IlluminationFeatures Features>
+using ScaleFor =
+    std::conditional_t<Lights == 1, NoScale,
+                       std::conditional_t<Features.coloured_lights, ChannelScale<Lights>, RampScale<Lights>>>;
 
 /// The illumination of one object by `Lights` (1...4) lights: its constants, and the colour of a normal's
 /// scalars. The scalars of a normal N are N·L for every light, then N·H for every light (Blinn) or N·V once
@@ -76,7 +101,12 @@ class Illumination : private FadeFor<Features>,
   /// Sets by how much more `Arc` may be off than without tolerance (docs/accuracy.md), in 8-bit steps,
   /// 0...64; 0 after make(). The larger, the more triangles it draws by cheaper orders. Returns
   /// kInvalidArgument, and changes nothing, if `steps` is out of range.
-  constexpr Status set_tolerance(std::int32_t steps);
+  constexpr Status set_tolerance(std::int32_t steps) {
+    if (steps < 0 || steps > 64) return Status::kInvalidArgument;
+    tolerance_ = steps;
+    set_limits();
+    return Status::kOk;
+  }
   [[nodiscard]] constexpr std::int32_t tolerance() const { return tolerance_; }
   /// Light in 2...16 equal `steps`, and hard highlights for `Arc`, until make() (lighting/toon.hpp). Returns
   /// kInvalidArgument, and changes nothing, if `steps` is out of range.
@@ -121,7 +151,12 @@ class Illumination : private FadeFor<Features>,
 
   /// True if no light reaches a triangle with these scalars at its vertices: with all N·L of one sign there,
   /// they have it everywhere. False where dark pixels have no path of their own.
-  [[nodiscard]] constexpr bool is_dark(const Scalars& a, const Scalars& b, const Scalars& c) const;
+  [[nodiscard]] constexpr bool is_dark(const Scalars& a, const Scalars& b, const Scalars& c) const {
+    for (std::size_t i = 0; i < Lights; ++i) {
+      if (!kHasRamp || a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0) return false;
+    }
+    return true;
+  }
   /// Finds whether diffuse light and highlights reach a triangle, whether planes are within the tolerance,
   /// and up to which chord quadratic surfaces are. `widest`: the widest squared chord between its normals, 28
   /// fraction bits, at most kWidestBounded.
@@ -252,7 +287,13 @@ class Illumination : private FadeFor<Features>,
   }
 
   /// The green channel of diffuse_colour() as a linear function; for illuminations that have a ramp().
-  [[nodiscard]] constexpr LinearLevel linear_level() const;
+  [[nodiscard]] constexpr LinearLevel linear_level() const {
+    // Light in steps has at most 16, so that a sixteenth of its ramp or more has the colour of the first
+    // step.
+    const bool is_gradual = diffuse_[1] == 0 || ramp_[kRampSize / 16 - 1].lanes != ramp_[0].lanes;
+    return {static_cast<std::int32_t>(ambient_[1] >> 12),
+            static_cast<std::int32_t>((diffuse_[1] * ramp_range()) >> 12), is_gradual};
+  }
   /// The colours of diffuse_colour(), evenly spaced over 0...1: 256 of one light, 512 of two, else 1024.
   [[nodiscard]] constexpr const auto& ramp() const requires kHasRamp { return ramp_; }
   static constexpr int kRampBits = Lights == 1 ? 8 : Lights == 2 ? 9 : 10;
@@ -278,7 +319,10 @@ class Illumination : private FadeFor<Features>,
   [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
 
   /// The change of the largest diffuse channel from no light to all, in 8-bit steps with 5 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t most_light() const;
+  [[nodiscard]] constexpr std::uint32_t most_light() const {
+    if constexpr (kHasRamp) return (most_diffuse() * ramp_range()) >> 15;
+    return most_diffuse() * static_cast<std::uint32_t>(Lights);
+  }
   /// The largest diffuse and specular coefficients of a channel, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest_channel(diffuse_); }
   [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest_channel(specular_); }

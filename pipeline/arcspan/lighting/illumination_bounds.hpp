@@ -65,22 +65,6 @@ inline constexpr std::array<std::uint8_t, 16> kWiderAtSlope{101, 64, 48, 40, 34,
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr Status Illumination<Lights, Model, Features>::set_tolerance(std::int32_t steps) {
-  if (steps < 0 || steps > 64) return Status::kInvalidArgument;
-  tolerance_ = steps;
-  set_limits();
-  return Status::kOk;
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::uint32_t Illumination<Lights, Model, Features>::most_light() const {
-  if constexpr (!kHasRamp)
-    return most_diffuse() * static_cast<std::uint32_t>(Lights);
-  else
-    return (most_diffuse() * ramp_range()) >> 15;
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::set_limits() {
   const std::uint32_t more = static_cast<std::uint32_t>(tolerance_) << 5;
   constexpr std::uint32_t kTurns = Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N
@@ -108,20 +92,6 @@ constexpr void Illumination<Lights, Model, Features>::set_limits() {
   ++shine_reach_;
 }
 
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr bool Illumination<Lights, Model, Features>::is_dark([[maybe_unused]] const Scalars& a,
-                                                              [[maybe_unused]] const Scalars& b,
-                                                              [[maybe_unused]] const Scalars& c) const {
-  if constexpr (!kHasRamp) {
-    return false;
-  } else {
-    for (std::size_t i = 0; i < Lights; ++i) {
-      if (a[i].raw() > 0 || b[i].raw() > 0 || c[i].raw() > 0) return false;
-    }
-    return true;
-  }
-}
-
 /// By R·V the highlight cannot reach N·L = x if (1 + L·V) / 2 - x is beyond its reach: the half distance (1 +
 /// L·V) / 2 - (N·L)(N·V) is at least that. x is 2^-7 above the N·L from which on highlights have their full
 /// strength.
@@ -142,7 +112,7 @@ constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(
   if (half_distance >= power_.half_reach()) return 0;
   const std::uint32_t h = half_distance < 0 ? 0 : static_cast<std::uint32_t>(half_distance);
   if (h > std::uint32_t{1} << 28) return 32768u >> (shininess_ - 1);  // below half_reach() only if n < 10
-  const std::uint32_t power = power_.at_distance(h);
+  const std::uint32_t power = power_(half_distance);
   return power + ((power * (h >> 15)) >> 13);
 }
 

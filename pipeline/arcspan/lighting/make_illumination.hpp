@@ -55,17 +55,6 @@ inline constexpr ChannelWeights kFullWeights{32768, 32768, 32768};
   return {weight(light.colour.r), weight(light.colour.g), weight(light.colour.b)};
 }
 
-/// Returns the height of the highlights of all lights together, for the largest specular coefficient of a
-/// channel. A single light's strength is in that coefficient already.
-template <std::size_t Lights>
-[[nodiscard]] constexpr std::uint32_t highlight_height(std::uint32_t most_specular,
-                                                       const std::array<DirectionalLight, Lights>& lights) {
-  if (Lights == 1) return most_specular;
-  std::uint32_t strengths = 0;  // 15 fraction bits, at most 4
-  for (const DirectionalLight& light : lights) strengths += static_cast<std::uint32_t>(light.strength.raw());
-  return static_cast<std::uint32_t>((std::uint64_t{most_specular} * strengths) >> Coefficient::kFraction);
-}
-
 /// c * weight * 255, rounded: 8-bit steps with `bits` (0...24) fraction bits.
 [[nodiscard]] constexpr std::uint32_t scaled_coefficient(Coefficient c, std::uint32_t weight, int bits) {
   const std::uint64_t product = std::uint64_t{static_cast<std::uint32_t>(c.raw())} * weight * 255u;
@@ -171,8 +160,15 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::set_highlight_height(
-    const std::array<DirectionalLight, Lights>& lights) {
-  highlight_height_ = detail::highlight_height(most_specular(), lights);
+    [[maybe_unused]] const std::array<DirectionalLight, Lights>& lights) {
+  highlight_height_ = most_specular();  // a single light's strength is in the coefficient
+  if constexpr (Lights > 1) {
+    std::uint32_t strengths = 0;  // 15 fraction bits, at most 4
+    for (const DirectionalLight& light : lights)
+      strengths += static_cast<std::uint32_t>(light.strength.raw());
+    highlight_height_ =
+        static_cast<std::uint32_t>((std::uint64_t{most_specular()} * strengths) >> Coefficient::kFraction);
+  }
   widest_patch_ = arcspan::widest_patch(Model, static_cast<std::int32_t>(shininess_), highlight_height_);
   set_limits();
 }
@@ -204,14 +200,6 @@ constexpr void Illumination<Lights, Model, Features>::make_ramp() {
     };
     ramp_[i] = PackedRgb::of(channel_level(0), channel_level(1), channel_level(2));
   }
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr LinearLevel Illumination<Lights, Model, Features>::linear_level() const {
-  // Light in steps has at most 16, so that a sixteenth of its ramp or more has the colour of the first step.
-  const bool is_gradual = diffuse_[1] == 0 || ramp_[kRampSize / 16 - 1].lanes != ramp_[0].lanes;
-  return {static_cast<std::int32_t>(ambient_[1] >> 12),
-          static_cast<std::int32_t>((diffuse_[1] * ramp_range()) >> 12), is_gradual};
 }
 
 }  // namespace arcspan

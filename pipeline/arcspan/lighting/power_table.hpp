@@ -74,11 +74,8 @@ class PowerTable {
   /// c^n in 0...1, 15 fraction bits, for half_distance = (1 - c) / 2 with 30 fraction bits. It must be below
   /// half_reach(); a negative one, of a cosine that rounding has raised above 1, counts as 0.
   [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t operator()(std::int32_t half_distance) const {
-    return at_distance(half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance));
-  }
-  /// c^n for a half distance of 0 or more that is below half_reach().
-  [[nodiscard]] ARCSPAN_INLINE constexpr std::uint32_t at_distance(std::uint32_t half_distance) const {
-    const std::uint32_t position = ((half_distance >> drop_) * scale_) >> 16;  // 8 fraction bits
+    const std::uint32_t distance = half_distance < 0 ? 0u : static_cast<std::uint32_t>(half_distance);
+    const std::uint32_t position = ((distance >> drop_) * scale_) >> 16;  // 8 fraction bits
     const auto index = static_cast<std::size_t>(position >> 8);
     const std::uint32_t here = values_[index];
     const std::uint32_t next = values_[index + 1];

@@ -8,6 +8,7 @@
 #include <arcspan/vertex/raster_vertex.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 /// The preparation of a triangle: from three vertices on the screen to a TriangleCommand.
 namespace arcspan {
@@ -111,18 +112,11 @@ ARCSPAN_OUTLINE_IF_TIGHT constexpr void sort_by_height(SortedVertices<Method>& v
 
 }  // namespace detail
 
-/// The long edge of a triangle at its first row, for methods that NeedsNearOverW; empty for others.
-template <class Method>
-struct LongWalk {};
-/// The long edge of a method that NeedsNearOverW.
-template <NeedsNearOverW Method>
-struct LongWalk<Method> : EdgeWalk {
-  constexpr void set(const EdgeWalk& edge) { static_cast<EdgeWalk&>(*this) = edge; }
-};
-
 /// The geometry of a triangle from which preparation sets up attributes: the vertices and the three edges.
 template <class Method>
 struct TriangleFrame : SortedVertices<Method> {
+  struct NoWalk {};
+
   EdgeSetup long_edge;
   EdgeSetup upper_edge;
   EdgeSetup lower_edge;
@@ -131,7 +125,8 @@ struct TriangleFrame : SortedVertices<Method> {
   Factor middle_fraction;   ///< fraction of the long edge at the middle vertex's height
   std::uint32_t width;      ///< width in pixels at that height, 16 fraction bits, raw value at least 1
   Reciprocal inverse_unit;  ///< reciprocal of the SlopeUnit, 16 fraction bits
-  [[no_unique_address]] LongWalk<Method> long_walk;  ///< set if the method is one that NeedsNearOverW
+  /// The long edge at its first row, for methods that NeedsNearOverW.
+  [[no_unique_address]] std::conditional_t<NeedsNearOverW<Method>, EdgeWalk, NoWalk> long_walk;
 };
 
 /// Sets up the plane of a 16-bit attribute from its values at the top, middle and bottom vertex.
@@ -191,7 +186,7 @@ constexpr void place_edges(TriangleFrame<Method>& frame, TriangleCommand<Method>
   EdgeWalk& long_walk = frame.middle_left ? command.right : command.left;
   make_edge_setup(top, bottom, command.first_row, frame.long_edge);
   make_edge_walk(frame.long_edge, top, bottom, long_walk);
-  if constexpr (NeedsNearOverW<Method>) frame.long_walk.set(long_walk);
+  if constexpr (NeedsNearOverW<Method>) frame.long_walk = long_walk;
   // Edges are moved with the picture whether rows use them or not, so that one without rows is set, too.
   if (frame.has_upper) [[likely]] {
     make_edge_setup(top, middle, command.first_row, frame.upper_edge);

@@ -3,6 +3,7 @@
 
 #include <arcspan/numbers/fixed_formats.hpp>
 #include <arcspan/numbers/integer.hpp>
+#include <arcspan/numbers/root.hpp>
 #include <arcspan/target.hpp>
 
 #include <array>
@@ -23,12 +24,8 @@ namespace detail {
 
 /// 1 / sqrt(1 - i/64) - 1 with 30 fraction bits, for i = 0...48.
 [[nodiscard]] consteval std::int64_t lengthening_at(std::int64_t i) {
-  std::uint64_t root = 0;  // the largest r with r^2 (64 - i) / 64 <= 1
-  for (std::uint64_t bit = std::uint64_t{1} << 31; bit != 0; bit >>= 1) {
-    const std::uint64_t r = root | bit;
-    if (((r * r) >> 6) * static_cast<std::uint64_t>(64 - i) <= std::uint64_t{1} << 60) root = r;
-  }
-  return static_cast<std::int64_t>(root) - (std::int64_t{1} << 30);
+  const std::uint64_t square = (std::uint64_t{1} << 63) / static_cast<std::uint64_t>(64 - i) << 3;
+  return std::int64_t{wide_integer_root(square)} - (std::int64_t{1} << 30);
 }
 
 /// Entry i is the line through k at both ends of e = i/64 ... (i + 1)/64, as a function of s = e with 15

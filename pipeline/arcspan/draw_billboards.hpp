@@ -82,7 +82,9 @@ class BillboardStage {
       : transform_(transform),
         size_(size),
         scissor_(transform.viewport(), sink.bounds()),
-        target_{scissor_.rect(), lighting, sink, depth},
+        lighting_(lighting),
+        sink_(sink),
+        depth_(depth),
         status_(check_target(scissor_, sink, depth)) {
     check_call(lighting, depth);
   }
@@ -109,8 +111,6 @@ class BillboardStage {
   }
 
  private:
-  using Target = RowTarget<typename Method::Lighting, Sink, Depth>;
-
   /// Half of a side in clip space.
   [[nodiscard]] std::int32_t half(std::uint16_t side, std::int32_t w) const {
     if (size_.unit == BillboardSize::Unit::kObject) return transform_.scaled_across(side) >> 1;
@@ -123,23 +123,23 @@ class BillboardStage {
   void draw(const RasterVertex<Method>& upper_left, const RasterVertex<Method>& upper_right,
             const RasterVertex<Method>& lower_left) {
     TriangleCommand<Method> command;
-    if (!prepare_triangle<Method, Depth::kTests>(target_.lighting, upper_left, upper_right, lower_left, {},
-                                                 scissor_.viewport_rows(), command) ||
-        !command.has_rows_in(scissor_.rect().top, scissor_.rect().bottom, scissor_.origin().y)) {
+    if (!prepare_triangle<Method, Depth::kTests>(lighting_, upper_left, upper_right, lower_left, {},
+                                                 scissor_.viewport_rows(), command)) {
       return;
     }
     const RasterPosition lower_right{upper_right.position.x, lower_left.position.y, 0};
     EdgeSetup side;
     make_edge_setup(upper_right.position, lower_right, command.first_row, side);
     make_edge_walk(side, upper_right.position, lower_right, command.lower);
-    using CrossingRows = RowDrawer<ScissorColumns::kCrossing, TriangleCommand<Method>, Target>;
-    status_ = Method::walk(command.shade, CrossingRows{command, scissor_.origin(), target_});
+    status_ = draw_command<Method>(command, scissor_.origin(), scissor_.rect(), lighting_, sink_, depth_);
   }
 
   const ClipTransform& transform_;
   const BillboardSize size_;
   const Scissor scissor_;
-  const Target target_;
+  const typename Method::Lighting& lighting_;
+  Sink& sink_;
+  const Depth& depth_;
   Status status_;
 };
 

@@ -18,52 +18,6 @@
 
 namespace arcspan {
 
-/// A mesh whose vertices follow the joints of a skin (DrawableMesh). It holds references, and computes a
-/// vertex whenever it is asked for it:
-///
-///     p = sum of w_k * (M_k v)
-///
-/// with the rounded matrices M_k and the weights w_k in 1024ths. The sum is off by less than 1/8 of an object
-/// unit; it is rounded to a whole unit and saturated at 16 bits. The position is wrong, because sums wrap,
-/// where a joint alone would take the vertex farther than JointMatrix::kFarthest. The normal is the sum of
-/// w_k * (M_k n), scaled to unit length; a sum of 0 gives +z. The normal is wrong where joints scale by 16 or
-/// more. Every core computes the same bits.
-///
-/// Rest is the mesh as it is before the joints move it: a MeshView, or a MorphedMesh.
-template <class Rest>
-class BasicSkinnedMesh {
- public:
-  /// A mesh without vertices.
-  constexpr BasicSkinnedMesh() = default;
-
-  /// Makes a mesh of part `part` of an animated model. `mesh` is that part's; it and `joints`, which
-  /// pose_joints() sets for the part's skin, must outlive `skinned`. Returns:
-  ///
-  ///   kOk                `skinned` is set; otherwise it is not changed
-  ///   kInvalidArgument   the part follows no joint of the animation, or has another number of vertices
-  ///   kBufferTooSmall    there are fewer `joints` than the part's skin has
-  [[nodiscard]] static Status make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
-                                   std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned);
-
-  [[nodiscard]] constexpr const MeshView& view() const { return mesh_->view(); }
-  /// Position of vertex i, which must be below view().vertex_count(), in the pose.
-  [[nodiscard]] ARCSPAN_INLINE ObjectPosition position(std::size_t i) const;
-  /// Unit normal of vertex i in the pose.
-  [[nodiscard]] ARCSPAN_INLINE Direction direction(std::size_t i) const;
-
- private:
-  static constexpr Rest kNoMesh{};
-
-  const Rest* mesh_ = &kNoMesh;
-  const JointMatrix* joints_ = nullptr;
-  StoredWeights weights_;
-};
-
-/// A mesh in flash that follows joints.
-using SkinnedMesh = BasicSkinnedMesh<MeshView>;
-/// One that morph targets change before.
-using MorphedSkinnedMesh = BasicSkinnedMesh<MorphedMesh>;
-
 namespace detail {
 
 inline constexpr int kNormalDown = 15 - JointMatrix::kBits;
@@ -150,40 +104,76 @@ template <class Coordinates>
 
 }  // namespace detail
 
+/// A mesh whose vertices follow the joints of a skin (DrawableMesh). It holds references, and computes a
+/// vertex whenever it is asked for it:
+///
+///     p = sum of w_k * (M_k v)
+///
+/// with the rounded matrices M_k and the weights w_k in 1024ths. The sum is off by less than 1/8 of an object
+/// unit; it is rounded to a whole unit and saturated at 16 bits. The position is wrong, because sums wrap,
+/// where a joint alone would take the vertex farther than JointMatrix::kFarthest. The normal is the sum of
+/// w_k * (M_k n), scaled to unit length; a sum of 0 gives +z. The normal is wrong where joints scale by 16 or
+/// more. Every core computes the same bits.
+///
+/// Rest is the mesh as it is before the joints move it: a MeshView, or a MorphedMesh.
 template <class Rest>
-ARCSPAN_INLINE inline ObjectPosition BasicSkinnedMesh<Rest>::position(std::size_t i) const {
-  const ObjectPosition& v = mesh_->position(i);  // a copy would be a call of memcpy() on Armv6-M
-  const std::int32_t x = v.x;
-  const std::int32_t y = v.y;
-  const std::int32_t z = v.z;
-  const detail::WeightedSum sum = detail::weighted_sum(
-      weights_.record(i), joints_,
-      [=](const JointMatrix& joint, std::size_t row) { return joint.place(row, x, y, z); });
-  return detail::saturated_position<JointMatrix::kBits>(sum.x, sum.y, sum.z);
-}
+class BasicSkinnedMesh {
+ public:
+  /// A mesh without vertices.
+  constexpr BasicSkinnedMesh() = default;
 
-template <class Rest>
-ARCSPAN_INLINE inline Direction BasicSkinnedMesh<Rest>::direction(std::size_t i) const {
-  const detail::OctahedralPoint n = detail::long_normal(*mesh_, i);
-  const detail::WeightedSum sum = detail::weighted_sum(
-      weights_.record(i), joints_,
-      [n](const JointMatrix& joint, std::size_t row) { return joint.normal(row, n.x, n.y, n.z); });
-  return detail::unit_normal(sum);
-}
+  /// Makes a mesh of part `part` of an animated model. `mesh` is that part's; it and `joints`, which
+  /// pose_joints() sets for the part's skin, must outlive `skinned`. Returns:
+  ///
+  ///   kOk                `skinned` is set; otherwise it is not changed
+  ///   kInvalidArgument   the part follows no joint of the animation, or has another number of vertices
+  ///   kBufferTooSmall    there are fewer `joints` than the part's skin has
+  [[nodiscard]] static Status make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
+                                   std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned) {
+    const StoredWeights weights = animation.weights(part);
+    if (!weights.exist() ||
+        (!weights.are_of_one_joint() && weights.vertex_count() != mesh.view().vertex_count()))
+      return Status::kInvalidArgument;
+    if (joints.size() < animation.skin(weights.skin()).size()) return Status::kBufferTooSmall;
+    skinned.mesh_ = &mesh;
+    skinned.joints_ = joints.data();
+    skinned.weights_ = weights;
+    return Status::kOk;
+  }
 
-template <class Rest>
-Status BasicSkinnedMesh<Rest>::make(const Rest& mesh, const StoredAnimation& animation, std::size_t part,
-                                    std::span<const JointMatrix> joints, BasicSkinnedMesh& skinned) {
-  const StoredWeights weights = animation.weights(part);
-  if (!weights.exist() ||
-      (!weights.are_of_one_joint() && weights.vertex_count() != mesh.view().vertex_count()))
-    return Status::kInvalidArgument;
-  if (joints.size() < animation.skin(weights.skin()).size()) return Status::kBufferTooSmall;
-  skinned.mesh_ = &mesh;
-  skinned.joints_ = joints.data();
-  skinned.weights_ = weights;
-  return Status::kOk;
-}
+  [[nodiscard]] constexpr const MeshView& view() const { return mesh_->view(); }
+  /// Position of vertex i, which must be below view().vertex_count(), in the pose.
+  [[nodiscard]] ARCSPAN_INLINE ObjectPosition position(std::size_t i) const {
+    const ObjectPosition& v = mesh_->position(i);  // a copy would be a call of memcpy() on Armv6-M
+    const std::int32_t x = v.x;
+    const std::int32_t y = v.y;
+    const std::int32_t z = v.z;
+    const detail::WeightedSum sum = detail::weighted_sum(
+        weights_.record(i), joints_,
+        [=](const JointMatrix& joint, std::size_t row) { return joint.place(row, x, y, z); });
+    return detail::saturated_position<JointMatrix::kBits>(sum.x, sum.y, sum.z);
+  }
+  /// Unit normal of vertex i in the pose.
+  [[nodiscard]] ARCSPAN_INLINE Direction direction(std::size_t i) const {
+    const detail::OctahedralPoint n = detail::long_normal(*mesh_, i);
+    const detail::WeightedSum sum = detail::weighted_sum(
+        weights_.record(i), joints_,
+        [n](const JointMatrix& joint, std::size_t row) { return joint.normal(row, n.x, n.y, n.z); });
+    return detail::unit_normal(sum);
+  }
+
+ private:
+  static constexpr Rest kNoMesh{};
+
+  const Rest* mesh_ = &kNoMesh;
+  const JointMatrix* joints_ = nullptr;
+  StoredWeights weights_;
+};
+
+/// A mesh in flash that follows joints.
+using SkinnedMesh = BasicSkinnedMesh<MeshView>;
+/// One that morph targets change before.
+using MorphedSkinnedMesh = BasicSkinnedMesh<MorphedMesh>;
 
 static_assert(DrawableMesh<SkinnedMesh> && DrawableMesh<MorphedSkinnedMesh> && DrawableMesh<MorphedMesh>);
 

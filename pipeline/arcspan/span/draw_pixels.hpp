@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <utility>
 
 namespace arcspan::detail {
 
@@ -51,16 +50,10 @@ concept IndexedRows = kHasManyRegisters && kScalesIndices && bool{Target::Depth:
 
 /// True if the pixels of `Run` are masked or blended.
 template <class Target, class Run>
-inline constexpr bool kHasOperation = [] {
-  if constexpr (requires(const Run& run, const typename Target::Lighting& lighting) {
-                  run.colour(lighting);
-                }) {
-    using Shade = std::remove_cvref_t<decltype(std::declval<const Run&>().colour(
-        std::declval<const typename Target::Lighting&>()))>;
-    return MaskedColour<Shade> || BlendedColour<Shade>;
-  }
-  return false;
-}();
+inline constexpr bool kHasOperation = requires(const Run& run, const typename Target::Lighting& lighting) {
+  requires MaskedColour<std::remove_cvref_t<decltype(run.colour(lighting))>> ||
+      BlendedColour<std::remove_cvref_t<decltype(run.colour(lighting))>>;
+};
 
 /// The pixel of a colour, at (x, y) of the picture, where `below` is now.
 template <class Format, class Shade>

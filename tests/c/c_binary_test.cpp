@@ -622,6 +622,7 @@ TEST_CASE("binaries that cannot be drawn change nothing in a scene") {
   Scene2 no_materials({16, 1});
   CHECK(arcspan_add_binary(no_materials.scene, lamp.data(), lamp.size, nullptr, nullptr) ==
         ARCSPAN_BUFFER_TOO_SMALL);
+  CHECK(arcspan_add_binary(no_materials.scene, ball.data(), ball.size, nullptr, nullptr) == ARCSPAN_OK);
   Scene2 no_objects({1, 16});
   CHECK(arcspan_add_binary(no_objects.scene, lamp.data(), lamp.size, nullptr, nullptr) ==
         ARCSPAN_BUFFER_TOO_SMALL);

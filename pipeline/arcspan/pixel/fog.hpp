@@ -223,7 +223,7 @@ struct Fogged {
     std::uint32_t thickness_ = 0;  ///< in depths; 0 before the first pixel
     Constant here_;                ///< set with thickness_
   };
-  /// What a row begins with, until Layer::enter() sets it.
+  /// The fog of a row, which Layer::enter() sets before its first pixel.
   [[nodiscard]] ARCSPAN_INLINE static constexpr Constant in_row(std::int32_t, std::int32_t) { return {}; }
 
   /// The fog at a depth, in front of a colour that becomes a 5-6-5 pixel without dither (`As565`), or a

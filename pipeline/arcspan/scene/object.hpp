@@ -54,6 +54,9 @@ class Object {
   [[nodiscard]] constexpr const BoundingSphere& sphere() const { return sphere_; }
   /// Sets the sphere around all vertices, for an object that is posed (PosedMaterial).
   constexpr void set_sphere(const BoundingSphere& sphere) { sphere_ = sphere; }
+  /// Draws all triangles of the mesh by another material.
+  constexpr void set_material(const SceneMaterial& material) { material_ = &material; }
+  void set_material(const SceneMaterial&&) = delete;
   [[nodiscard]] constexpr std::size_t part_count() const { return material_ != nullptr ? 1 : parts_.size(); }
   [[nodiscard]] constexpr Part part(std::size_t i) const {
     return material_ != nullptr ? Part{material_, 0, mesh_->triangle_count()} : parts_[i];

@@ -68,7 +68,7 @@ struct CharacterMemory {
                               const arcspan_look& look, const CharacterMemory& memory) {
   const ModelPart part = animated.model.part(i);
   MeshNeighbours neighbours;
-  std::uint16_t made = c::kInFlash;
+  std::uint16_t made = c::kNotMade;
   Status status = c::find_neighbours(animated.model, i, neighbours);
   if (ok(status)) status = object.make(c::source_of(look, part.material, part.two_sided, part.texture), made);
   if (!ok(status)) return status;

@@ -90,13 +90,13 @@ std::uint16_t find_material(const arcspan_scene& scene, const MaterialSource& so
   for (std::uint16_t i = 0; i < scene.material_count; ++i) {
     if (is_same(scene.materials[i].source, source) && is_kept(scene, i, parts)) return i;
   }
-  return kInFlash;
+  return kNotMade;
 }
 
 Status find_or_make_material(arcspan_scene& scene, const MaterialSource& source, const KeepingParts& parts,
                              std::uint16_t& index) {
   index = find_material(scene, source, parts);
-  if (index != kInFlash) return Status::kOk;
+  if (index != kNotMade) return Status::kOk;
   std::uint16_t i = scene.material_count;
   if (i == scene.limits.materials) {  // only then, because each takes a look at all parts
     i = 0;

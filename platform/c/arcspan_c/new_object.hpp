@@ -19,7 +19,7 @@ class NewObject {
   /// `neighbours` are null if the mesh has none. Returns kBufferTooSmall if there is no room for it.
   [[nodiscard]] Status add(const MeshView& mesh, [[maybe_unused]] const MeshNeighbours* neighbours,
                            const SceneMaterial& material, const BoundingSphere& sphere,
-                           std::uint16_t made = kInFlash) {
+                           std::uint16_t made = kNotMade) {
     const std::size_t at = std::size_t{scene_.object_count} + parts_;
     if (at >= scene_.limits.objects) return Status::kBufferTooSmall;
     const MeshView& kept = *new (&scene_.meshes[at]) MeshView(mesh);
@@ -37,7 +37,7 @@ class NewObject {
   /// Adds a part of a material that is prepared now, unless the scene has the same.
   [[nodiscard]] Status add(const MeshView& mesh, const MeshNeighbours* neighbours,
                            const MaterialSource& source, const BoundingSphere& sphere) {
-    std::uint16_t made = kInFlash;
+    std::uint16_t made = kNotMade;
     const Status status = make(source, made);
     return ok(status) ? add(mesh, neighbours, material(made), sphere, made) : status;
   }

@@ -65,8 +65,8 @@ struct MadeMaterial {
 /// make_material() for all of a scene, after its lights have changed. Of arcspan_scene::make_materials.
 [[nodiscard]] Status make_materials(arcspan_scene& scene);
 
-/// In place of the index of a material, for one in flash.
-inline constexpr std::uint16_t kInFlash = 0xFFFF;
+/// In place of the index of a material that was made: it is in flash, or there is none.
+inline constexpr std::uint16_t kNotMade = 0xFFFF;
 
 /// The parts of a scene that keep materials: those before `end`. What the parts first_changed ... end_changed
 /// - 1 are drawn by does not count, because they get another one.
@@ -77,7 +77,7 @@ struct KeepingParts {
 };
 /// Whether one of these parts keeps the material with this index.
 [[nodiscard]] bool is_kept(const arcspan_scene& scene, std::uint16_t index, const KeepingParts& parts);
-/// Returns the index of the material of this source that a part keeps; kInFlash if there is none.
+/// Returns the index of the material of this source that a part keeps; kNotMade if there is none.
 [[nodiscard]] std::uint16_t find_material(const arcspan_scene& scene, const MaterialSource& source,
                                           const KeepingParts& parts);
 /// Sets `index` to find_material(), or to a material that no part keeps, and which is prepared. Returns
@@ -116,8 +116,8 @@ struct arcspan_scene {
   arcspan::OutlinedMesh* outlined;      ///< both
 #endif
   std::uint16_t* parts;  ///< at an object's first part their number, at its others 0
-  std::uint16_t* own;    ///< of each part, the index of the material that it was added with, or kInFlash
-  std::uint16_t* shown;  ///< of each part, the index of the material that it is drawn by, or kInFlash
+  std::uint16_t* own;    ///< of each part, the index of the material that it was added with, or kNotMade
+  std::uint16_t* shown;  ///< of each part, the index of the material that it is drawn by, or kNotMade
   arcspan::c::MadeMaterial* materials;
   /// Set by arcspan_add_binary(), so that programs with models in flash only do not hold its code.
   arcspan::Status (*make_materials)(arcspan_scene& scene);

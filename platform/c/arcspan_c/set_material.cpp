@@ -29,7 +29,7 @@ namespace {
   std::size_t count = 0;
   for (std::size_t i = first; i < end; ++i) {
     const c::MaterialSource source = source_of(scene, i, material);
-    bool has = c::find_material(scene, source, {scene.object_count, first, end}) != c::kInFlash;
+    bool has = c::find_material(scene, source, {scene.object_count, first, end}) != c::kNotMade;
     for (std::size_t j = first; j < i && !has; ++j) has = c::is_same(source_of(scene, j, material), source);
     if (!has) ++count;
   }
@@ -50,22 +50,17 @@ namespace {
 void show(arcspan_scene& scene, std::size_t part, std::uint16_t index) {
   Object& object = scene.objects[part];
   const SceneMaterial& material = scene.materials[index].scene_material();
+  [[maybe_unused]] const SceneMaterial* const before = object.part(0).material;
+  [[maybe_unused]] const bool poses = before != &scene.materials[scene.shown[part]].scene_material();
+  scene.shown[part] = index;
 #if ARCSPAN_C_CHARACTERS
-  const SceneMaterial* const before = object.part(0).material;
-  if (before != &scene.materials[scene.shown[part]].scene_material()) {  // one that poses
+  if (poses) {
     auto* const posed = static_cast<c::CharacterMaterial*>(const_cast<SceneMaterial*>(before));
     c::make_posed(c::AllChoices{}, material, posed->mesh(), posed);
-    scene.shown[part] = index;
     return;
   }
 #endif
-  Object changed(object.mesh(), material, object.sphere());
-  changed.position = object.position;
-  changed.rotation = object.rotation;
-  changed.scale = object.scale;
-  changed.visible = object.visible;
-  object = changed;
-  scene.shown[part] = index;
+  object.set_material(material);
 }
 
 }  // namespace
@@ -76,7 +71,7 @@ arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
   const std::size_t end = first + scene->parts_of(object).size();
   if (first == end) return ARCSPAN_INVALID_ARGUMENT;
   for (std::size_t i = first; i < end; ++i) {
-    if (scene->own[i] == c::kInFlash) return ARCSPAN_UNSUPPORTED;
+    if (scene->own[i] == c::kNotMade) return ARCSPAN_UNSUPPORTED;
   }
   if (material == nullptr) {
     for (std::size_t i = first; i < end; ++i) show(*scene, i, scene->own[i]);
@@ -86,7 +81,7 @@ arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
   if (!arcspan::detail::in_range(set)) return ARCSPAN_INVALID_ARGUMENT;
   if (!has_room(*scene, wanted(*scene, set, first, end), first, end)) return ARCSPAN_BUFFER_TOO_SMALL;
   for (std::size_t i = first; i < end; ++i) {
-    std::uint16_t index = c::kInFlash;
+    std::uint16_t index = c::kNotMade;
     const Status status =
         c::find_or_make_material(*scene, source_of(*scene, i, set), {scene->object_count, i, end}, index);
     if (!ok(status)) return static_cast<arcspan_status>(status);  // not reached: all of it has been checked

@@ -316,6 +316,21 @@ TEST_CASE("the parts of an object are drawn by their materials") {
   CHECK(red > 50);
 }
 
+TEST_CASE("an object that gets another material is drawn by it alone") {
+  const Part parts[] = {{&kRed, 0, 10}};
+  Object changed(kBallView, parts);
+  changed.set_material(kCopper);
+  const Object copper(kBallView, kCopper);
+  const Camera camera = looking({1, 3, 3}, {});
+  Canvas drawn;
+  Canvas expected;
+  REQUIRE(
+      ok(draw_scene({camera, kLights, {&changed, 1}}, drawn.picture, drawn.depth, memory_of_scene).status));
+  REQUIRE(ok(
+      draw_scene({camera, kLights, {&copper, 1}}, expected.picture, expected.depth, memory_of_scene).status));
+  CHECK(drawn.pixels == expected.pixels);
+}
+
 TEST_CASE("parts share vertices where their colours differ") {
   using Smooth = Gouraud<SceneLighting>;
   static constexpr auto kRough = PreparedMaterial<Smooth>::of(matter(Coefficient::of(0.9), {}, {}), kLights);

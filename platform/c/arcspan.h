@@ -180,10 +180,10 @@ arcspan_status arcspan_set_quaternion(arcspan_scene* scene, arcspan_object objec
 arcspan_quaternion arcspan_multiply(arcspan_quaternion a, arcspan_quaternion b);
 arcspan_status arcspan_set_visible(arcspan_scene* scene, arcspan_object object, int visible);
 /* Draws all parts of an object or character by this material, on their textures; NULL: by their own again.
- * A material that no part is drawn by any more makes room for another. Returns
+ * A material that was set makes room when no part is drawn by it any more; parts keep their own. Returns
  *
  *   ARCSPAN_INVALID_ARGUMENT   no such object, a coefficient is above 1, or a shininess not 1...256
- *   ARCSPAN_BUFFER_TOO_SMALL   no room for the materials: one for each texture and look of the parts
+ *   ARCSPAN_BUFFER_TOO_SMALL   no room for the materials: one for each texture, one- and two-sided
  *   ARCSPAN_UNSUPPORTED        the object is one of arcspan_add_model() */
 arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
                                     const arcspan_material* material);

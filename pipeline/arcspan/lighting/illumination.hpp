@@ -486,7 +486,7 @@ class Illumination : private FadeFor<Features>,
   /// The slope of c^n by c at a half distance, as a part of the slope at c = 1, 15 fraction bits; above 1 by
   /// up to 1/8 if n = 1.
   [[nodiscard]] constexpr std::uint32_t highlight_slope(std::int32_t half_distance) const;
-  /// Sets what depends on the tolerance.
+  /// Sets what depends on strengths or the tolerance.
   constexpr void set_limits();
   constexpr void set_ramp_range();
   constexpr void set_highlight_height(const std::array<DirectionalLight, Lights>& lights);

@@ -12,7 +12,7 @@ namespace arcspan::c {
 
 using CharacterMaterial = PosedMaterial<CharacterMesh>;
 
-/// Makes the posed material of a mesh from a prepared one of the methods that are compiled.
+/// Makes at `at` the posed material of a mesh from a prepared one, which is of a compiled method.
 template <class... Chosen>
 void make_posed(ChoiceList<Chosen...>, const SceneMaterial& material, const CharacterMesh& mesh,
                 CharacterMaterial* at) {

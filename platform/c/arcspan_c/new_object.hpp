@@ -10,7 +10,7 @@
 namespace arcspan::c {
 
 /// An object whose parts are being added behind the objects of a scene. It is in the scene after finish();
-/// before, nothing of the scene has changed.
+/// before, the objects of the scene are as they were.
 class NewObject {
  public:
   explicit NewObject(arcspan_scene& scene) : scene_(scene) {}

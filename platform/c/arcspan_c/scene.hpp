@@ -62,14 +62,14 @@ struct MadeMaterial {
 /// steps that is not compiled, else the status of PreparedMaterial::make(), set_tolerance() or set_toon().
 [[nodiscard]] Status make_material(MadeMaterial& made, const LightList& lights);
 
-/// make_material() for all of a scene, after its lights have changed. Of arcspan_scene::make_materials.
+/// make_material() for all that parts keep, after the lights have changed (arcspan_scene::make_materials).
 [[nodiscard]] Status make_materials(arcspan_scene& scene);
 
 /// In place of the index of a material that was made: it is in flash, or there is none.
 inline constexpr std::uint16_t kNotMade = 0xFFFF;
 
-/// The parts of a scene that keep materials: those before `end`. What the parts first_changed ... end_changed
-/// - 1 are drawn by does not count, because they get another one.
+/// Parts of a scene whose materials stay: those before `end` keep their own and the shown one, of which the
+/// parts first_changed ... end_changed - 1 keep only their own, because they get another one.
 struct KeepingParts {
   std::size_t end;
   std::size_t first_changed = 0;

@@ -15,7 +15,7 @@ using namespace arcspan;
 
 namespace {
 
-/// The source of a part's own material, with another material.
+/// The source of a part's own material, with these coefficients.
 [[nodiscard]] c::MaterialSource source_of(const arcspan_scene& scene, std::size_t part,
                                           const Material& material) {
   c::MaterialSource source = scene.materials[scene.own[part]].source;
@@ -84,7 +84,7 @@ arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
     std::uint16_t index = c::kNotMade;
     const Status status =
         c::find_or_make_material(*scene, source_of(*scene, i, set), {scene->object_count, i, end}, index);
-    if (!ok(status)) return static_cast<arcspan_status>(status);  // not reached: all of it has been checked
+    if (!ok(status)) return static_cast<arcspan_status>(status);  // not reached: the rest is as in its own
     show(*scene, i, index);
   }
   return ARCSPAN_OK;

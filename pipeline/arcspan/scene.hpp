@@ -11,9 +11,12 @@
 #include <arcspan/scene/scene_light.hpp>
 #include <arcspan/scene/scene_material.hpp>
 #include <arcspan/scene/scene_memory.hpp>
+#include <arcspan/scene/scene_pass.hpp>
+#include <arcspan/span/depth_mode.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace arcspan {
 
@@ -68,7 +71,7 @@ struct PlainTarget {
     return typename Memory::KeptRows(slot, finds_rows);
   }
   /// After the object at this place of SceneFrame::order.
-  template <class Memory, class Sink, class Depth>
+  template <class Uses, class Memory, class Sink, class Depth>
   static constexpr void end_object(Memory&, std::size_t, const ObjectLights&, Sink&, const Depth&,
                                    SceneResult&) {}
 };
@@ -108,10 +111,77 @@ template <SceneMemoryType Memory>
 inline constexpr PartVertices kVerticesIn =
     Memory::kHasVertices ? PartVertices::kInSlot : PartVertices::kNotKept;
 
+/// What the passes over a prepared scene have in common.
+template <class Target, class Memory, class Sink>
+struct SceneCall {
+  Memory& memory;
+  const SceneFrame& frame;
+  Sink& sink;
+  const Target& target;
+  const Rect& whole;    ///< the picture
+  const Rect& rect;     ///< of it, what the sink holds
+  const Rect& reached;  ///< `rect` and Target::kBeyond pixels around it
+};
+
+/// Draws the parts of an object whose materials are for `Uses`.
+template <class Uses, class Target, class Memory, class Sink, class Depth>
+ARCSPAN_INLINE inline void draw_parts(const SceneCall<Target, Memory, Sink>& call, SceneSlot& slot,
+                                      const ObjectLights& lights, const Depth& depth, SceneResult& result) {
+  constexpr bool kAllUses = std::is_same_v<Uses, typename Memory::UseList>;
+  const Object& object = *slot.object;
+  // Finding the rows of triangles pays if the picture has two bands or more.
+  auto rows = call.target.template begin_object<Memory>(slot, 2 * call.rect.height() <= call.whole.height());
+  if constexpr (!kAllUses) {
+    // Rows are found part by part, and a pass may leave parts out.
+    if (count_parts(Uses{}, object) != object.part_count()) rows.leave_out();
+  }
+  for (std::size_t p = 0; p < object.part_count() && ok(result.status); ++p) {
+    const Part part = object.part(p);
+    if (kAllUses || is_for(Uses{}, *part.material)) {
+      const MeshView mesh = object.mesh().part(part.first, part.count);
+      rows.begin_part(part.first);
+      const DrawResult drawn = draw_part<kVerticesIn<Memory>>(
+          Uses{}, PartCall<Sink, Depth, decltype(rows)>{slot, mesh, p, rows, *part.material, lights,
+                                                        call.frame.header.camera->rotation(), call.sink,
+                                                        depth, call.memory.lighting()});
+      result.status = drawn.status;
+      result.triangles += drawn.triangles;
+      result.left_out += drawn.left_out;
+    }
+    rows.next_part(part.count);
+  }
+}
+
+/// Draws what has materials for `Uses`: the nearest object first if that saves pixels.
+template <class Uses, class Target, class Memory, class Sink, class Depth>
+ARCSPAN_INLINE inline void draw_pass(const SceneCall<Target, Memory, Sink>& call, const Depth& depth,
+                                     SceneResult& result) {
+  constexpr bool kAllUses = std::is_same_v<Uses, typename Memory::UseList>;
+  constexpr bool kNearestFirst = Depth::kTests && Depth::kWrites;
+  const SceneFrame& frame = call.frame;
+  const std::size_t count = frame.header.in_view;
+  for (std::size_t i = 0; i < count && ok(result.status); ++i) {
+    const std::size_t place = kNearestFirst ? i : count - 1 - i;
+    SceneSlot& slot = frame.entries[frame.order[place]];
+    if (call.reached != call.whole && is_outside(slot, call.reached)) continue;
+    bool is_last = true;  // pass that draws a part of the object
+    if constexpr (!kAllUses) {
+      if (count_parts(Uses{}, *slot.object) == 0) continue;
+      is_last = !kNearestFirst || count_parts(BlendedUses<typename Memory::UseList>{}, *slot.object) == 0;
+    }
+    const bool is_within = Target::kBeyond == 0 || call.rect == call.whole || !is_outside(slot, call.rect);
+    if (is_last && is_within) ++result.objects;
+    if (!frame.header.keeps_vertices) slot.held = nullptr;
+    const ObjectLights lights = lights_at(frame.header, *slot.object);
+    draw_parts<Uses>(call, slot, lights, depth, result);
+    call.target.template end_object<Uses>(call.memory, place, lights, call.sink, depth, result);
+  }
+}
+
 template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth>
 [[nodiscard]] SceneResult draw_prepared(Memory& memory, Sink& sink, const Depth& depth,
                                         const Target& target) {
-  constexpr bool kNearestFirst = Depth::kTests && Depth::kWrites;
+  using Listed = typename Memory::UseList;
   if (!ok(memory.status())) return {memory.status()};
   const SceneFrame frame = memory.frame();
   SceneResult result{frame.header.camera == nullptr ? Status::kNotReady : frame.header.status};
@@ -124,30 +194,13 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
   const Rect reached = kBeyond == 0 || rect.empty() ? rect : intersection(whole, beyond);
   result.status = check_target(Scissor(viewport, sink.bounds()), sink, depth);
   if (ok(result.status)) result.status = target.clear(sink, depth);
-  const std::size_t count = frame.header.in_view;
-  for (std::size_t i = 0; i < count && ok(result.status); ++i) {
-    const std::size_t place = kNearestFirst ? i : count - 1 - i;
-    SceneSlot& slot = frame.entries[frame.order[place]];
-    if (reached != whole && is_outside(slot, reached)) continue;
-    if (kBeyond == 0 || rect == whole || !is_outside(slot, rect)) ++result.objects;
-    if (!frame.header.keeps_vertices) slot.held = nullptr;
-    const ObjectLights lights = lights_at(frame.header, *slot.object);
-    // Finding the rows of triangles pays if the picture has two bands or more.
-    auto rows = target.template begin_object<Memory>(slot, 2 * rect.height() <= whole.height());
-    for (std::size_t p = 0; p < slot.object->part_count() && ok(result.status); ++p) {
-      const Part part = slot.object->part(p);
-      const MeshView mesh = slot.object->mesh().part(part.first, part.count);
-      rows.begin_part(part.first);
-      const DrawResult drawn = draw_part<kVerticesIn<Memory>>(
-          typename Memory::UseList{}, PartCall<Sink, Depth, decltype(rows)>{
-                                          slot, mesh, p, rows, *part.material, lights,
-                                          frame.header.camera->rotation(), sink, depth, memory.lighting()});
-      rows.next_part(part.count);
-      result.status = drawn.status;
-      result.triangles += drawn.triangles;
-      result.left_out += drawn.left_out;
-    }
-    target.end_object(memory, place, lights, sink, depth, result);
+  const SceneCall<Target, Memory, Sink> call{memory, frame, sink, target, whole, rect, reached};
+  if constexpr (Depth::kTests && Depth::kWrites && kHasBlended<Listed>) {
+    if constexpr (!std::is_same_v<OpaqueUses<Listed>, MethodList<>>)
+      draw_pass<OpaqueUses<Listed>>(call, depth, result);
+    draw_pass<BlendedUses<Listed>>(call, read_only(depth), result);
+  } else {
+    draw_pass<Listed>(call, depth, result);
   }
   return result;
 }
@@ -156,8 +209,10 @@ template <class Target, SceneMemoryType Memory, PixelSink Sink, DepthTarget Dept
 
 /// Draws the scene of the last prepare_scene() into `sink`: the whole picture, or a band of it. Objects whose
 /// bounding sphere lies outside of it are skipped. With a depth target that writes, the nearest object is
-/// drawn first, which saves pixels. With NoDepth or ReadOnlyDepth the farthest is, so that nearer ones cover
-/// it or are blended with it. The nearer object is the one whose bounding sphere has the nearer middle.
+/// drawn first, which saves pixels; then the parts that are blended with what is there (Opacity), the
+/// farthest object first, which write no depths. With NoDepth or ReadOnlyDepth the farthest is first, so that
+/// nearer ones cover it or are blended with it. The nearer object is the one whose bounding sphere has the
+/// nearer middle.
 /// Returns as status that of prepare_scene(), or:
 ///
 ///   kDepthMismatch     `depth` does not cover the common bounds of the picture and the sink

@@ -119,7 +119,7 @@ template <SceneMemoryType Memory, PixelFormat F, class Curved>
 }
 
 /// Draws the curves over the outlines of the object at this place, like the object.
-template <SceneMemoryType Memory, class Sink, class Depth>
+template <class Uses, SceneMemoryType Memory, class Sink, class Depth>
 void draw_curves(Memory& memory, std::size_t place, const ObjectLights& lights, Sink& sink,
                  const Depth& depth, const CurvedOutlines& curves, SceneResult& result) {
   const SceneFrame frame = memory.frame();
@@ -128,9 +128,8 @@ void draw_curves(Memory& memory, std::size_t place, const ObjectLights& lights, 
   const MeshView mesh = curves.mesh(first, slot.end_of_curves);
   if (mesh.triangle_count() == 0 || slot.object->part_count() != 1 || !ok(result.status)) return;
   const DrawResult drawn = draw_part<PartVertices::kOfCurves>(
-      typename Memory::UseList{},
-      PartCall<Sink, Depth, NoRows>{slot, mesh, 0, NoRows(), *slot.object->part(0).material, lights,
-                                    frame.header.camera->rotation(), sink, depth, memory.lighting()});
+      Uses{}, PartCall<Sink, Depth, NoRows>{slot, mesh, 0, NoRows(), *slot.object->part(0).material, lights,
+                                            frame.header.camera->rotation(), sink, depth, memory.lighting()});
   result.status = drawn.status;
   result.triangles += drawn.triangles;
   result.left_out += drawn.left_out;
@@ -143,10 +142,10 @@ class CurvedTarget : public Target {
   constexpr CurvedTarget(const Target& target, const CurvedOutlines& curves)
       : Target(target), curves_(curves) {}
 
-  template <class Memory, class Sink, class Depth>
+  template <class Uses, class Memory, class Sink, class Depth>
   void end_object(Memory& memory, std::size_t place, const ObjectLights& lights, Sink& sink,
                   const Depth& depth, SceneResult& result) const {
-    draw_curves(memory, place, lights, sink, depth, curves_, result);
+    draw_curves<Uses>(memory, place, lights, sink, depth, curves_, result);
   }
 
  private:
@@ -171,7 +170,7 @@ class OutlinedTarget : public Target {
                              ok(hide_all(object.mesh(), outlines_.sides));
     return PartSides(is_outlined ? outlines_.sides.data() : nullptr);
   }
-  template <class Memory, class Sink, class Depth>
+  template <class Uses, class Memory, class Sink, class Depth>
   void end_object(Memory& memory, std::size_t place, const ObjectLights&, Sink&, const Depth&,
                   const SceneResult&) const {
     const SceneFrame frame = memory.frame();
@@ -205,9 +204,6 @@ class OutlinedTarget : public Target {
 /// With curves, draw_prepared_scene() takes `outlines.curves` as its last argument. If `memory` has room for
 /// rows of triangles they are found here. For a picture that is drawn at once draw_scene() is cheaper, which
 /// finds outlines while it draws.
-///
-/// A scene whose surfaces are blended with what is behind them is drawn afterwards, with a ReadOnlyDepth. Its
-/// outlines are found and smoothed in the same way, with a SceneOutlines of its own.
 ///
 /// Returns kOk, the status of prepare_scene(), or the first of these that occurs; the objects that it does
 /// not concern are smoothed all the same:
@@ -257,8 +253,9 @@ template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, Depth
 
 namespace detail {
 
-/// Draws a scene and finds its outlines: while it is drawn, unless curves are drawn over them. Then finish()
-/// changes the picture along them. The status is that of drawing, of find_outlines() or of finish().
+/// Draws a scene and finds its outlines: while it is drawn, unless curves are drawn over them or parts of an
+/// object are drawn in two passes. Then finish() changes the picture along them. The status is that of
+/// drawing, of find_outlines() or of finish().
 template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, PixelFormat F,
           class Curved, class Finish>
 [[nodiscard]] SceneResult draw_outlined(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
@@ -271,6 +268,9 @@ template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget 
   if constexpr (std::is_same_v<Curved, CurvedOutlines>) {
     found = find_outlines(memory, outlines);
     result = draw_prepared_scene(memory, sink, depth, background, outlines.curves);
+  } else if constexpr (kHasBlended<typename Memory::UseList>) {
+    found = find_outlines(memory, outlines);
+    result = draw_prepared_scene(memory, sink, depth, background);
   } else {
     outlines.edges.clear();
     using Clear = ClearTarget<Background>;

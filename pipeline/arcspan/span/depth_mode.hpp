@@ -43,6 +43,10 @@ class DepthMode {
   [[nodiscard]] constexpr std::uint16_t* row(std::int32_t y) const { return buffer_->row(y); }
   [[nodiscard]] constexpr std::int32_t stride() const { return buffer_->stride(); }
   constexpr void check_cleared() const { buffer_->check_cleared(); }
+  /// The same test without writing.
+  [[nodiscard]] constexpr DepthMode<Compare, false> read_only() const {
+    return DepthMode<Compare, false>(*buffer_);
+  }
 
  private:
   const DepthBuffer* buffer_;
@@ -52,5 +56,16 @@ class DepthMode {
 using ReadOnlyDepth = DepthMode<DepthCompare::kNearer, false>;
 
 static_assert(DepthTarget<ReadOnlyDepth>);
+
+namespace detail {
+
+/// The same test without writing.
+[[nodiscard]] constexpr ReadOnlyDepth read_only(const DepthBuffer& depth) { return ReadOnlyDepth(depth); }
+template <DepthCompare Compare, bool Writes>
+[[nodiscard]] constexpr DepthMode<Compare, false> read_only(const DepthMode<Compare, Writes>& depth) {
+  return depth.read_only();
+}
+
+}  // namespace detail
 
 }  // namespace arcspan

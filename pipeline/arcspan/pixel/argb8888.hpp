@@ -6,8 +6,8 @@
 namespace arcspan {
 
 /// 32 bits per pixel, 0xAARRGGBB in a native word. Every drawn pixel is opaque, as compositors expect of a
-/// layer. Smooth outlines and ink over transparent pixels are blended into the alpha; colours are not
-/// premultiplied by it.
+/// layer. Smooth outlines, ink and Blend::kAlpha over pixels that are not opaque are blended into the alpha;
+/// colours are not premultiplied by it.
 struct Argb8888 : Rgb32<255> {
   static constexpr bool kHasAlpha = true;
 };

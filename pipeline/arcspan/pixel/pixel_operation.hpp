@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/pixel/blended_alpha.hpp>
 #include <arcspan/pixel/colour.hpp>
 #include <arcspan/pixel/dither.hpp>
 #include <arcspan/pixel/rgb565.hpp>
@@ -116,6 +117,11 @@ struct Opacity {
         const std::uint32_t blue = ((above & 31u) * (below & 31u) * 33u + 512u) >> 10;
         return detail::joined(detail::mixed_spread(below, (green << 21) | (red << 11) | blue, opacity));
       }
+    }
+    /// The surface `above` over a pixel that is not opaque, both 0xAARRGGBB.
+    [[nodiscard]] constexpr std::uint32_t over_alpha(std::uint32_t above, std::uint32_t below) const
+        requires(Mode == Blend::kAlpha) {
+      return detail::blended_with_alpha(below, above, opacity);
     }
   };
 

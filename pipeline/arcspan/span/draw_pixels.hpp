@@ -65,6 +65,12 @@ template <class Format, class Shade>
   } else if constexpr (kOperates565<Format>) {
     return Format::word565(colour.over565(Format::word565(below)));
   } else {
+    if constexpr (requires {
+                    requires Format::kHasAlpha;
+                    colour.over_alpha(below, below);
+                  }) {
+      if (below >> 24 != 255) return colour.over_alpha(encode_at<Format>(colour.packed(), x, y), below);
+    }
     return encode_at<Format>(colour.over(PackedRgb::of(Format::decode(below))), dithered_again_at(x),
                              dithered_again_at(y));
   }

@@ -4,6 +4,7 @@
 #include <arcspan/draw/wireframe.hpp>
 #include <arcspan/draw_lines.hpp>
 #include <arcspan/hal/framebuffer.hpp>
+#include <arcspan/pixel/argb8888.hpp>
 #include <arcspan/pixel/fog.hpp>
 #include <arcspan/pixel/gray2.hpp>
 #include <arcspan/pixel/gray4.hpp>
@@ -11,6 +12,7 @@
 #include <arcspan/pixel/rgb332.hpp>
 #include <arcspan/pixel/rgb565.hpp>
 #include <arcspan/pixel/rgb888.hpp>
+#include <arcspan/pixel/xrgb8888.hpp>
 #include <arcspan/scene/camera.hpp>
 #include <arcspan/shading/textured/textured.hpp>
 #include <arcspan/shading/vertex_coloured.hpp>
@@ -485,6 +487,42 @@ TEST_CASE("in 5-6-5 a colour over itself stays, and opacity 0 keeps every pixel"
     REQUIRE(Opacity<>{0}(grey(255 - level)).over565(pixel) == pixel);
     REQUIRE(Opacity<Blend::kMultiply>{0}(grey(255 - level)).over565(pixel) == pixel);
     REQUIRE(Opacity<Blend::kMultiply>{32}(grey(255)).over565(pixel) == pixel);
+  }
+}
+
+TEST_CASE("over pixels that are not opaque a surface is blended into the alpha", "[textures]") {
+  // Three layers of a colour over pixels of every alpha, against the same in double precision.
+  constexpr Rgb8 kSurface{250, 130, 3};
+  const auto draw = [&](std::uint32_t below, std::uint32_t opacity) {
+    const auto colour = Opacity<>{opacity}(PackedRgb::of(kSurface));
+    return detail::operated<Argb8888>(colour, below, 0, 0);
+  };
+  for (std::uint32_t alpha = 0; alpha < 256; ++alpha) {
+    for (const std::uint32_t opacity : {1u, 7u, 16u, 31u}) {
+      CAPTURE(alpha, opacity);
+      std::uint32_t pixel = alpha << 24 | 0x1060F0u;
+      for (int layer = 0; layer < 3; ++layer) {
+        const std::uint32_t before = pixel;
+        pixel = draw(before, opacity);
+        const double share = opacity / 32.0;
+        const double rest = (before >> 24) / 255.0 * (1 - share);
+        CHECK(std::abs((pixel >> 24) - 255 * (share + rest)) <= 0.5 + 1e-9);
+        const std::uint32_t channels[] = {kSurface.r, kSurface.g, kSurface.b};
+        for (unsigned i = 0; i < 3; ++i) {
+          const unsigned shift = 16 - 8 * i;
+          const double mixed = (channels[i] * share + (before >> shift & 255u) * rest) / (share + rest);
+          // An opaque pixel is blended in ten bits per channel.
+          CHECK(std::abs((pixel >> shift & 255u) - mixed) <= (before >> 24 == 255 ? 1 : 0.5 + 1e-9));
+        }
+      }
+    }
+  }
+  CHECK(draw(0x00123456u, 32) == 0xFFFA8203u);
+  CHECK(draw(0x80123456u, 0) == 0x80123456u);
+  // As in the format without alpha.
+  for (const std::uint32_t opacity : {0u, 5u, 16u, 32u}) {
+    const auto colour = Opacity<>{opacity}(PackedRgb::of(kSurface));
+    CHECK(draw(0xFF1060F0u, opacity) == (detail::operated<Xrgb8888>(colour, 0x1060F0u, 0, 0) | 0xFF000000u));
   }
 }
 

@@ -187,6 +187,10 @@ arcspan_status arcspan_set_visible(arcspan_scene* scene, arcspan_object object, 
  *   ARCSPAN_UNSUPPORTED        the object is one of arcspan_add_model() */
 arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
                                     const arcspan_material* material);
+/* Lets what is behind an object or character show through: 1 is opaque, 0 nothing of it, in steps of 1/32. It
+ * keeps its material. Translucent objects are drawn after all others, the farthest first. Returns as
+ * arcspan_set_material(), and ARCSPAN_UNSUPPORTED if opacity is not compiled. */
+arcspan_status arcspan_set_opacity(arcspan_scene* scene, arcspan_object object, arcspan_share opacity);
 
 typedef struct {
   arcspan_point least, most;

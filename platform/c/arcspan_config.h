@@ -33,6 +33,11 @@
 #define ARCSPAN_C_TOON 0
 #endif
 
+/* 1 if arcspan_set_opacity() does something. Every shading method is compiled once more. */
+#ifndef ARCSPAN_C_OPACITY
+#define ARCSPAN_C_OPACITY 0
+#endif
+
 /* Shading methods (arcspan_method). */
 #ifndef ARCSPAN_C_ARC
 #define ARCSPAN_C_ARC 1

@@ -115,7 +115,8 @@ struct Scene2 {
 /// The parts of a model by the method M, or with a texture by T.
 template <class M, class T>
 std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false, const OutlineInk* ink = nullptr,
-                                        std::int32_t toon_steps = 0, bool curved = false) {
+                                        std::int32_t toon_steps = 0, bool curved = false,
+                                        [[maybe_unused]] Opacity<> opacity = {}) {
   StoredModel model;
   REQUIRE(ok(view_model_binary({binary.data(), binary.size}, model)));
   const SceneLight light = SceneLight::directional(normalised(-1, 1, 2));
@@ -130,6 +131,7 @@ std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false, con
     if (part.texture.texels.empty()) {
       REQUIRE(ok(PreparedMaterial<M>::make(part.material, lights, {part.two_sided}, plain[i])));
       if (toon_steps != 0) REQUIRE(ok(plain[i].set_toon(toon_steps)));
+      if constexpr (arcspan::detail::kBlends<M>) plain[i].set(opacity);
       objects.emplace_back(meshes[i], plain[i], part.sphere);
     } else {
       Texture<Palette8Texels<>> texture;
@@ -137,6 +139,7 @@ std::vector<std::uint16_t> drawn_by_cpp(Binary& binary, bool smooth = false, con
       REQUIRE(ok(PreparedMaterial<T>::make(part.material, lights, {part.two_sided}, textured[i])));
       if (toon_steps != 0) REQUIRE(ok(textured[i].set_toon(toon_steps)));
       textured[i] = textured[i].with(texture);
+      if constexpr (arcspan::detail::kBlends<T>) textured[i].set(opacity);
       objects.emplace_back(meshes[i], textured[i], part.sphere);
     }
   }
@@ -585,6 +588,90 @@ TEST_CASE("an object is drawn by another material, and by its own again") {
   arcspan_object flash = 0;
   REQUIRE(arcspan_add_model(in_flash.scene, &outlined, &flash) == ARCSPAN_OK);
   CHECK(arcspan_set_material(in_flash.scene, flash, &red) == ARCSPAN_UNSUPPORTED);
+}
+
+TEST_CASE("an object is as translucent as from C++, and opaque again") {
+  using Smooth = Arc<c::Light>;
+  using SmoothTexture = Textured<Smooth, Palette8Texels<>>;
+  for (const char* const name : {"lamp.bin", "sign.bin"}) {
+    CAPTURE(name);
+    Binary binary(name);
+    Scene2 scene({16, 32});
+    arcspan_object object = 99;
+    REQUIRE(arcspan_add_binary(scene.scene, binary.data(), binary.size, nullptr, &object) == ARCSPAN_OK);
+    const auto before = scene.drawn();
+    for (const std::uint32_t opacity : {16u, 25u}) {
+      REQUIRE(arcspan_set_opacity(scene.scene, object, static_cast<arcspan_share>(opacity << 10)) ==
+              ARCSPAN_OK);
+      CHECK((scene.drawn() ==
+             drawn_by_cpp<WithOperation<Smooth, Opacity<>>, WithOperation<SmoothTexture, Opacity<>>>(
+                 binary, false, nullptr, 0, false, Opacity<>{opacity})));
+    }
+    REQUIRE(arcspan_set_opacity(scene.scene, object, 0) == ARCSPAN_OK);
+    CHECK((scene.drawn() == std::vector<std::uint16_t>(kSide * kSide)));
+    CHECK(arcspan_set_opacity(scene.scene, object, ARCSPAN_SHARE(1) + 1) == ARCSPAN_INVALID_ARGUMENT);
+    CHECK(arcspan_set_opacity(scene.scene, 99, ARCSPAN_SHARE(1)) == ARCSPAN_INVALID_ARGUMENT);
+    CHECK((scene.drawn() == std::vector<std::uint16_t>(kSide * kSide)));
+    REQUIRE(arcspan_set_opacity(scene.scene, object, ARCSPAN_SHARE(1)) == ARCSPAN_OK);
+    CHECK((scene.drawn() == before));
+    // Without room for further materials it stays opaque.
+    Scene2 full({16, materials_of(binary)});
+    REQUIRE(arcspan_add_binary(full.scene, binary.data(), binary.size, nullptr, &object) == ARCSPAN_OK);
+    CHECK(arcspan_set_opacity(full.scene, object, ARCSPAN_SHARE(0.5)) == ARCSPAN_BUFFER_TOO_SMALL);
+    CHECK(arcspan_set_opacity(full.scene, object, ARCSPAN_SHARE(1)) == ARCSPAN_OK);
+    CHECK((full.drawn() == before));
+  }
+  Scene2 in_flash({16, 1});
+  arcspan_object flash = 0;
+  REQUIRE(arcspan_add_model(in_flash.scene, &outlined, &flash) == ARCSPAN_OK);
+  CHECK(arcspan_set_opacity(in_flash.scene, flash, ARCSPAN_SHARE(0.5)) == ARCSPAN_UNSUPPORTED);
+}
+
+TEST_CASE("an object keeps its opacity with another material, and its material with another opacity") {
+  Binary lamp("lamp.bin");
+  const arcspan_shares white{32768, 32768, 32768};
+  const arcspan_material red{{9000, 0, 0}, {20000, 0, 0}, white, 30};
+  const std::uint16_t own = materials_of(lamp);
+  Scene2 scene({64, static_cast<std::uint16_t>(2 * own)});
+  arcspan_object object = 99;
+  REQUIRE(arcspan_add_binary(scene.scene, lamp.data(), lamp.size, nullptr, nullptr) == ARCSPAN_OK);
+  REQUIRE(arcspan_add_binary(scene.scene, lamp.data(), lamp.size, nullptr, &object) == ARCSPAN_OK);
+  REQUIRE(arcspan_set_position(scene.scene, object, {ARCSPAN_LENGTH(0.3), 0, ARCSPAN_LENGTH(0.6)}) ==
+          ARCSPAN_OK);
+  const auto material = [&](const arcspan_material* set) {
+    REQUIRE(arcspan_set_material(scene.scene, object, set) == ARCSPAN_OK);
+    return scene.drawn();
+  };
+  const auto opacity = [&](arcspan_share share) {
+    REQUIRE(arcspan_set_opacity(scene.scene, object, share) == ARCSPAN_OK);
+    return scene.drawn();
+  };
+  const auto before = scene.drawn();
+  const auto faint = opacity(ARCSPAN_SHARE(0.5));
+  const auto faint_red = material(&red);
+  const auto all_red = opacity(ARCSPAN_SHARE(1));
+  CHECK((faint != before));
+  CHECK((faint_red != faint));
+  CHECK((all_red != faint_red));
+  CHECK((all_red != before));
+  CHECK((opacity(ARCSPAN_SHARE(0.5)) == faint_red));
+  CHECK((material(nullptr) == faint));
+  CHECK((opacity(ARCSPAN_SHARE(1)) == before));
+  CHECK((material(&red) == all_red));
+  CHECK((opacity(ARCSPAN_SHARE(0.5)) == faint_red));
+  // It follows the light.
+  const arcspan_light dim{{-1, 1, 2}, 0, 12000, white};
+  const arcspan_light bright{{-1, 1, 2}, 0, 32768, white};
+  REQUIRE(arcspan_set_lights(scene.scene, &dim, 1, white) == ARCSPAN_OK);
+  CHECK((scene.drawn() != faint_red));
+  REQUIRE(arcspan_set_lights(scene.scene, &bright, 1, white) == ARCSPAN_OK);
+  CHECK((scene.drawn() == faint_red));
+  // The other lamp is seen through it.
+  CHECK(arcspan_set_visible(scene.scene, 0, 0) == ARCSPAN_OK);
+  const auto alone = scene.drawn();
+  std::size_t through = 0;
+  for (std::size_t i = 0; i < alone.size(); ++i) through += alone[i] != 0 && alone[i] != faint_red[i];
+  CHECK(through > 50);
 }
 
 TEST_CASE("binaries that cannot be drawn change nothing in a scene") {

@@ -48,7 +48,7 @@ struct Stage {
 
   explicit Stage(const arcspan_look* look = nullptr)
       : memory(arcspan_character_bytes(kWalker, kWalkerBytes)) {
-    const arcspan_scene_limits limits{6, 5};
+    const arcspan_scene_limits limits{6, 9};
     scene_memory.resize(arcspan_scene_bytes(&limits));
     REQUIRE(arcspan_scene_make(scene_memory.data(), scene_memory.size(), &limits, &scene) == ARCSPAN_OK);
     REQUIRE(arcspan_add_model(scene, &ball, &held) == ARCSPAN_OK);
@@ -195,6 +195,28 @@ TEST_CASE("a character is drawn by another material, and by its own again") {
     REQUIRE(arcspan_set_material(stage.scene, object, nullptr) == ARCSPAN_OK);
     CHECK((stage.drawn() == own));
   }
+}
+
+TEST_CASE("a character is translucent while it moves, and opaque again") {
+  const Stage stage;
+  const Stage opaque;
+  const arcspan_object object = arcspan_object_of(stage.character);
+  for (const Stage* each : {&stage, &opaque})
+    REQUIRE(arcspan_play(each->character, arcspan_find_clip(each->character, "walk"), 0, ARCSPAN_REPEAT) ==
+            ARCSPAN_OK);
+  REQUIRE(arcspan_set_opacity(stage.scene, object, ARCSPAN_SHARE(0.5)) == ARCSPAN_OK);
+  std::vector<std::uint16_t> before;
+  for (int i = 0; i < 2; ++i) {
+    for (const Stage* each : {&stage, &opaque}) arcspan_advance(each->character, 300000);
+    const auto faint = stage.drawn();
+    CHECK((faint != opaque.drawn()));
+    CHECK((faint != before));
+    CHECK((stage.drawn(16) == faint));
+    CHECK((stage.drawn(20, 0) == faint));
+    before = faint;
+  }
+  REQUIRE(arcspan_set_opacity(stage.scene, object, ARCSPAN_SHARE(1)) == ARCSPAN_OK);
+  CHECK((stage.drawn() == opaque.drawn()));
 }
 
 TEST_CASE("an object that is attached follows the node through the character's placement") {

@@ -63,6 +63,13 @@ TEST_CASE("where several lights are compiled without colours, a single coloured 
   CHECK(scene.drawn() != expected);
 }
 
+TEST_CASE("opacity that is not compiled is refused") {
+  LitBall scene;
+  const auto expected = scene.drawn();
+  CHECK(arcspan_set_opacity(scene.scene, 99, ARCSPAN_SHARE(0.5)) == ARCSPAN_UNSUPPORTED);
+  CHECK(scene.drawn() == expected);
+}
+
 TEST_CASE("a scene has as many lights as it was last given") {
   LitBall scene;
   const arcspan_light lights[] = {{{1, 1, 1}, 0, 32768, kWhiteShares}, {{-1, 0, 1}, 0, 16384, kWhiteShares}};

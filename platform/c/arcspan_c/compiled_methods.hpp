@@ -8,6 +8,7 @@
 #include <arcspan/shading/grey_gouraud.hpp>
 #include <arcspan/shading/surface/arc.hpp>
 #include <arcspan/shading/textured/textured.hpp>
+#include <arcspan/shading/with_operation.hpp>
 #include <arcspan/texture/texel_formats.hpp>
 
 #include <arcspan.h>
@@ -28,11 +29,13 @@ namespace arcspan::c {
 using Light = Illumination<ARCSPAN_C_LIGHTS, ARCSPAN_C_PHONG ? Highlight::kPhong : Highlight::kBlinn,
                            IlluminationFeatures{.coloured_lights = ARCSPAN_C_COLOURED_LIGHTS != 0}>;
 
-/// A method, and how a program chooses it. `T` is the format of its texture, or void.
-template <arcspan_method Number, class M, class T>
+/// A method, and how a program chooses it. `T` is the format of its texture, or void. With `Blends` it is for
+/// translucent objects.
+template <arcspan_method Number, class M, class T, bool Blends>
 struct Choice {
   static constexpr arcspan_method kNumber = Number;
-  using Method = M;
+  static constexpr bool kBlends = Blends;
+  using Method = std::conditional_t<Blends, WithOperation<M, Opacity<>>, M>;
   using Texels = T;
 };
 
@@ -78,20 +81,25 @@ template <bool Enabled, class C>
 using If = std::conditional_t<Enabled, ChoiceList<C>, ChoiceList<>>;
 
 /// The methods of one format of textures, or without texture.
-template <bool Enabled, class T>
+template <bool Enabled, class T, bool Blends = false>
 using MethodsOf = typename Joined<
-    If<Enabled && ARCSPAN_C_ARC != 0, Choice<ARCSPAN_ARC, typename Wrapped<T>::ByArc, T>>,
-    If<Enabled && ARCSPAN_C_GOURAUD != 0, Choice<ARCSPAN_GOURAUD, typename Wrapped<T>::ByGouraud, T>>,
-    If<Enabled && ARCSPAN_C_FLAT != 0, Choice<ARCSPAN_FLAT, typename Wrapped<T>::ByFlat, T>>>::List;
+    If<Enabled && ARCSPAN_C_ARC != 0, Choice<ARCSPAN_ARC, typename Wrapped<T>::ByArc, T, Blends>>,
+    If<Enabled && ARCSPAN_C_GOURAUD != 0, Choice<ARCSPAN_GOURAUD, typename Wrapped<T>::ByGouraud, T, Blends>>,
+    If<Enabled && ARCSPAN_C_FLAT != 0, Choice<ARCSPAN_FLAT, typename Wrapped<T>::ByFlat, T, Blends>>>::List;
+
+/// The methods of all formats of textures and without texture.
+template <bool Enabled, bool Blends>
+using MethodsThat =
+    typename Joined<MethodsOf<Enabled, void, Blends>,
+                    MethodsOf<Enabled && ARCSPAN_C_TEXTURES_RGB565 != 0, DirectTexels<>, Blends>,
+                    MethodsOf<Enabled && ARCSPAN_C_TEXTURES_PALETTE8 != 0, Palette8Texels<>, Blends>,
+                    MethodsOf<Enabled && ARCSPAN_C_TEXTURES_PALETTE4 != 0, Palette4Texels<>, Blends>>::List;
 
 }  // namespace detail
 
 /// All that is compiled.
 using AllChoices =
-    detail::Joined<detail::MethodsOf<true, void>,
-                   detail::MethodsOf<ARCSPAN_C_TEXTURES_RGB565 != 0, DirectTexels<>>,
-                   detail::MethodsOf<ARCSPAN_C_TEXTURES_PALETTE8 != 0, Palette8Texels<>>,
-                   detail::MethodsOf<ARCSPAN_C_TEXTURES_PALETTE4 != 0, Palette4Texels<>>>::List;
+    detail::Joined<detail::MethodsThat<true, false>, detail::MethodsThat<ARCSPAN_C_OPACITY != 0, true>>::List;
 using CompiledMethods = AllChoices::ListedMethods;
 
 }  // namespace arcspan::c

@@ -13,7 +13,7 @@ namespace {
 template <class Chosen>
 [[nodiscard]] bool is_chosen(const MaterialSource& source) {
   using Texels = typename Chosen::Texels;
-  if (source.method != Chosen::kNumber) return false;
+  if (source.method != Chosen::kNumber || (source.opacity != kOpaque) != Chosen::kBlends) return false;
   if (source.texture.texels.empty() != std::is_void_v<Texels>) return false;
   if constexpr (std::is_void_v<Texels>) {
     return true;
@@ -52,6 +52,7 @@ template <class Chosen>
     if (ok(status)) status = view_texture(source.texture, texture);
     if (ok(status)) prepared.set(texture);
   }
+  if constexpr (Chosen::kBlends) prepared.set(Opacity<>{source.opacity});
   return status;
 }
 
@@ -110,9 +111,8 @@ Status find_or_make_material(arcspan_scene& scene, const MaterialSource& source,
 }
 
 bool is_same(const MaterialSource& a, const MaterialSource& b) {
-  return is_same(a.material.ambient, b.material.ambient) && is_same(a.material.diffuse, b.material.diffuse) &&
-         is_same(a.material.specular, b.material.specular) && a.material.shininess == b.material.shininess &&
-         a.texture.texels.data() == b.texture.texels.data() && a.method == b.method &&
+  return is_same(a.material, b.material) && a.texture.texels.data() == b.texture.texels.data() &&
+         a.method == b.method && a.opacity == b.opacity &&
 #if ARCSPAN_C_TOON
          a.toon_steps == b.toon_steps &&
 #endif

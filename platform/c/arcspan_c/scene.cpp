@@ -77,12 +77,12 @@ constexpr SceneLight kFirstLight = SceneLight::directional(normalised(-1, 1, 2))
 
 /// Whether materials that are prepared for either are the same.
 [[nodiscard]] bool are_alike(const LightList& a, const LightList& b) {
-  bool alike = c::is_same(a.ambient, b.ambient);
+  bool alike = a.ambient == b.ambient;
   if constexpr (ARCSPAN_C_LIGHTS == 1) {
     alike = alike && a.lights.size() == b.lights.size();
     if (alike && !a.lights.empty()) {
-      alike = a.lights[0].strength() == b.lights[0].strength() &&
-              c::is_same(a.lights[0].colour(), b.lights[0].colour());
+      alike =
+          a.lights[0].strength() == b.lights[0].strength() && a.lights[0].colour() == b.lights[0].colour();
     }
   }
   return alike;

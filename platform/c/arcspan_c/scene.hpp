@@ -36,6 +36,9 @@ template <class... C>
   return {Coefficient::from_raw(s.r), Coefficient::from_raw(s.g), Coefficient::from_raw(s.b)};
 }
 
+/// The opacity of what hides all that is behind it.
+inline constexpr std::uint8_t kOpaque = 32;
+
 /// The data from which a material of a part of a binary is prepared.
 struct MaterialSource {
   Material material;
@@ -43,6 +46,7 @@ struct MaterialSource {
   DrawOptions options;
   arcspan_method method;
   std::uint8_t tolerance;
+  std::uint8_t opacity = kOpaque;
 #if ARCSPAN_C_TOON
   std::uint8_t toon_steps = 0;
 #endif
@@ -93,8 +97,9 @@ struct KeepingParts {
   (light, std::make_index_sequence<ARCSPAN_C_LIGHTS>());
 }
 
-[[nodiscard]] constexpr bool is_same(const ChannelCoefficients& a, const ChannelCoefficients& b) {
-  return a.r == b.r && a.g == b.g && a.b == b.b;
+[[nodiscard]] constexpr bool is_same(const Material& a, const Material& b) {
+  return a.ambient == b.ambient && a.diffuse == b.diffuse && a.specular == b.specular &&
+         a.shininess == b.shininess;
 }
 /// Whether both would be prepared alike.
 [[nodiscard]] bool is_same(const MaterialSource& a, const MaterialSource& b);

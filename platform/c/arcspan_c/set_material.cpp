@@ -15,22 +15,39 @@ using namespace arcspan;
 
 namespace {
 
-/// The source of a part's own material, with these coefficients.
-[[nodiscard]] c::MaterialSource source_of(const arcspan_scene& scene, std::size_t part,
-                                          const Material& material) {
+/// How all parts of an object are drawn.
+struct Drawn {
+  bool by_own;        ///< each by its own material
+  Material material;  ///< otherwise all by this one
+  std::uint8_t opacity;
+};
+
+/// How the parts first ... end - 1, which are those of an object, are drawn now.
+[[nodiscard]] Drawn drawn_now(const arcspan_scene& scene, std::size_t first, std::size_t end) {
+  Drawn drawn{true, {}, scene.materials[scene.shown[first]].source.opacity};
+  for (std::size_t i = first; i < end && drawn.by_own; ++i) {
+    drawn.material = scene.materials[scene.shown[i]].source.material;
+    drawn.by_own = c::is_same(drawn.material, scene.materials[scene.own[i]].source.material);
+  }
+  return drawn;
+}
+
+/// The source of the material by which a part is drawn then.
+[[nodiscard]] c::MaterialSource source_of(const arcspan_scene& scene, std::size_t part, const Drawn& drawn) {
   c::MaterialSource source = scene.materials[scene.own[part]].source;
-  source.material = material;
+  if (!drawn.by_own) source.material = drawn.material;
+  source.opacity = drawn.opacity;
   return source;
 }
 
-/// How many materials must be made for the parts first ... end - 1 of an object to be drawn by `material`.
-[[nodiscard]] std::size_t wanted(const arcspan_scene& scene, const Material& material, std::size_t first,
+/// How many materials must be made for the parts first ... end - 1 of an object to be drawn so.
+[[nodiscard]] std::size_t wanted(const arcspan_scene& scene, const Drawn& drawn, std::size_t first,
                                  std::size_t end) {
   std::size_t count = 0;
   for (std::size_t i = first; i < end; ++i) {
-    const c::MaterialSource source = source_of(scene, i, material);
+    const c::MaterialSource source = source_of(scene, i, drawn);
     bool has = c::find_material(scene, source, {scene.object_count, first, end}) != c::kNotMade;
-    for (std::size_t j = first; j < i && !has; ++j) has = c::is_same(source_of(scene, j, material), source);
+    for (std::size_t j = first; j < i && !has; ++j) has = c::is_same(source_of(scene, j, drawn), source);
     if (!has) ++count;
   }
   return count;
@@ -63,29 +80,59 @@ void show(arcspan_scene& scene, std::size_t part, std::uint16_t index) {
   object.set_material(material);
 }
 
+/// Draws the parts first ... end - 1 of an object so; if there is no room, they are drawn as before.
+[[nodiscard]] arcspan_status draw_as(arcspan_scene& scene, const Drawn& drawn, std::size_t first,
+                                     std::size_t end) {
+  if (!has_room(scene, wanted(scene, drawn, first, end), first, end)) return ARCSPAN_BUFFER_TOO_SMALL;
+  for (std::size_t i = first; i < end; ++i) {
+    std::uint16_t index = c::kNotMade;
+    const Status status =
+        c::find_or_make_material(scene, source_of(scene, i, drawn), {scene.object_count, i, end}, index);
+    if (!ok(status)) return static_cast<arcspan_status>(status);  // not reached: there is room
+    show(scene, i, index);
+  }
+  return ARCSPAN_OK;
+}
+
+/// Whether the materials of the parts first ... end - 1 can be changed.
+[[nodiscard]] arcspan_status check_parts(const arcspan_scene& scene, std::size_t first, std::size_t end) {
+  if (first == end) return ARCSPAN_INVALID_ARGUMENT;
+  for (std::size_t i = first; i < end; ++i) {
+    if (scene.own[i] == c::kNotMade) return ARCSPAN_UNSUPPORTED;
+  }
+  return ARCSPAN_OK;
+}
+
 }  // namespace
 
 arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
                                     const arcspan_material* material) {
   const std::size_t first = object;
   const std::size_t end = first + scene->parts_of(object).size();
-  if (first == end) return ARCSPAN_INVALID_ARGUMENT;
-  for (std::size_t i = first; i < end; ++i) {
-    if (scene->own[i] == c::kNotMade) return ARCSPAN_UNSUPPORTED;
+  const arcspan_status status = check_parts(*scene, first, end);
+  if (status != ARCSPAN_OK) return status;
+  Drawn drawn = drawn_now(*scene, first, end);
+  drawn.by_own = material == nullptr;
+  if (material != nullptr) {
+    drawn.material = c::material_of(*material);
+    if (!arcspan::detail::in_range(drawn.material)) return ARCSPAN_INVALID_ARGUMENT;
   }
-  if (material == nullptr) {
-    for (std::size_t i = first; i < end; ++i) show(*scene, i, scene->own[i]);
-    return ARCSPAN_OK;
-  }
-  const Material set = c::material_of(*material);
-  if (!arcspan::detail::in_range(set)) return ARCSPAN_INVALID_ARGUMENT;
-  if (!has_room(*scene, wanted(*scene, set, first, end), first, end)) return ARCSPAN_BUFFER_TOO_SMALL;
-  for (std::size_t i = first; i < end; ++i) {
-    std::uint16_t index = c::kNotMade;
-    const Status status =
-        c::find_or_make_material(*scene, source_of(*scene, i, set), {scene->object_count, i, end}, index);
-    if (!ok(status)) return static_cast<arcspan_status>(status);  // not reached: the rest is as in its own
-    show(*scene, i, index);
-  }
-  return ARCSPAN_OK;
+  return draw_as(*scene, drawn, first, end);
+}
+
+arcspan_status arcspan_set_opacity([[maybe_unused]] arcspan_scene* scene,
+                                   [[maybe_unused]] arcspan_object object,
+                                   [[maybe_unused]] arcspan_share opacity) {
+#if ARCSPAN_C_OPACITY
+  const std::size_t first = object;
+  const std::size_t end = first + scene->parts_of(object).size();
+  const arcspan_status status = check_parts(*scene, first, end);
+  if (status != ARCSPAN_OK) return status;
+  if (opacity > ARCSPAN_SHARE(1)) return ARCSPAN_INVALID_ARGUMENT;
+  Drawn drawn = drawn_now(*scene, first, end);
+  drawn.opacity = static_cast<std::uint8_t>((opacity + 512) >> 10);
+  return draw_as(*scene, drawn, first, end);
+#else
+  return ARCSPAN_UNSUPPORTED;
+#endif
 }

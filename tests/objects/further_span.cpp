@@ -11,8 +11,8 @@
 #include <arcspan/literature/reflection_map.hpp>
 #include <arcspan/literature/segment.hpp>
 #include <arcspan/literature/slerp.hpp>
+#include <arcspan/pixel/argb8888.hpp>
 #include <arcspan/pixel/rgb565.hpp>
-#include <arcspan/pixel/rgb888.hpp>
 #include <arcspan/span/depth_mode.hpp>
 
 #include <tests/objects/instances.hpp>
@@ -21,7 +21,7 @@
 namespace arcspan {
 
 ARCSPAN_SPAN_INSTANTIATE(Arc<Blinn4>, Rgb565, DepthBuffer);
-ARCSPAN_SPAN_INSTANTIATE(Window, Rgb888, ReadOnlyDepth);
+ARCSPAN_SPAN_INSTANTIATE(Window, Argb8888, ReadOnlyDepth);
 ARCSPAN_SPAN_INSTANTIATE(ArcVector<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyLinear<Blinn1>, Rgb565, DepthBuffer);
 ARCSPAN_SPAN_INSTANTIATE(DichotomyQuadratic<Phong4>, Rgb565, DepthBuffer);

@@ -9,6 +9,7 @@
 
 #include <arcspan.h>
 #include <arcspan_c/compiled_methods.hpp>
+#include <arcspan_c/scene.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -659,6 +660,14 @@ TEST_CASE("an object keeps its opacity with another material, and its material w
   CHECK((opacity(ARCSPAN_SHARE(1)) == before));
   CHECK((material(&red) == all_red));
   CHECK((opacity(ARCSPAN_SHARE(0.5)) == faint_red));
+  // What is set again is not prepared again.
+  unsigned char& byte = scene.scene->materials[scene.scene->shown[object]].prepared[100];
+  const unsigned char before_change = byte;
+  byte = static_cast<unsigned char>(~byte);
+  REQUIRE(arcspan_set_material(scene.scene, object, &red) == ARCSPAN_OK);
+  REQUIRE(arcspan_set_opacity(scene.scene, object, ARCSPAN_SHARE(0.5)) == ARCSPAN_OK);
+  CHECK(byte != before_change);
+  byte = before_change;
   // It follows the light.
   const arcspan_light dim{{-1, 1, 2}, 0, 12000, white};
   const arcspan_light bright{{-1, 1, 2}, 0, 32768, white};

@@ -24,6 +24,18 @@ namespace arcspan {
 /// at most 2^25. An interval of the table has 18 bits, 16 of which are multiplied: a pixel takes products of
 /// two 16-bit words and additions only.
 class HighlightTable {
+  /// Sets the lines through value(i) at the end of each interval, in 8-bit steps with 8 fraction bits.
+  template <class Value>
+  constexpr void set_lines(const Value& value) {
+    std::uint32_t here = value(0);
+    for (std::uint32_t i = 0; i < kIntervals; ++i) {
+      const std::uint32_t next = value(i + 1);
+      const std::uint32_t rise = next - here;
+      lines_[static_cast<std::size_t>(i)] = ((here - rise * i) << 16) | rise;
+      here = next;
+    }
+  }
+
  public:
   static constexpr int kReachBits = 25;
 
@@ -48,13 +60,7 @@ class HighlightTable {
       const auto half_distance = static_cast<std::int32_t>(beyond / static_cast<std::uint64_t>(factor_));
       return half_distance < power.half_reach() ? (most * power(half_distance) + (1u << 11)) >> 12 : 0u;
     };
-    std::uint32_t here = value(0);
-    for (std::uint32_t i = 0; i < kIntervals; ++i) {
-      const std::uint32_t next = value(i + 1);
-      const std::uint32_t rise = next - here;
-      lines_[static_cast<std::size_t>(i)] = ((here - rise * i) << 16) | rise;
-      here = next;
-    }
+    set_lines(value);
     for (std::size_t c = 0; c < 3; ++c) share_[c] = most == 0 ? 0 : (specular[c] << 15) / most;
     white_ = specular[0] == specular[1] && specular[1] == specular[2] ? PackedRgb::grey(1).lanes : 0;
   }
@@ -74,10 +80,6 @@ class HighlightTable {
     const std::uint32_t inside = clamped_unsigned<kReachBits, 0>(closeness);
     const std::uint32_t line = lines_[inside >> kIntervalBits];
     return line + (line & 0xFFFFu) * (inside >> (kIntervalBits - 16));
-  }
-  /// The highlight at a closeness above 0.
-  [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb operator()(std::int32_t closeness) const {
-    return colour(value(closeness) >> 16);
   }
   /// The colour whose largest channel is `most`, in 8-bit steps with 8 fraction bits; clamped to 255.
   [[nodiscard]] ARCSPAN_INLINE constexpr PackedRgb colour(std::uint32_t most) const {

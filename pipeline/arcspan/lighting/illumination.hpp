@@ -246,7 +246,7 @@ class Illumination : private FadeFor<Features>,
   }
   /// The highlight of a single light at a closeness above 0, and its fade() by N·L.
   [[nodiscard]] constexpr PackedRgb highlight_at(std::int32_t closeness) const {
-    return highlights_(closeness);
+    return highlights_.colour(highlights_.value(closeness) >> 16);
   }
   [[nodiscard]] constexpr const auto& fade() const { return static_cast<const FadeFor<Features>&>(*this); }
 

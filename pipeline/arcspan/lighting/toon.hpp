@@ -15,17 +15,10 @@ inline constexpr std::int32_t kMostToonSteps = 16;
 
 constexpr void HighlightTable::harden() {
   const std::uint32_t peak = value(reach_) >> 16;
-  const auto hard = [&](std::uint32_t i) {
+  set_lines([&](std::uint32_t i) {
     const std::uint32_t soft = value(static_cast<std::int32_t>(i << kIntervalBits)) >> 16;
     return 2 * soft > peak ? peak : 0u;
-  };
-  std::uint32_t here = hard(0);
-  for (std::uint32_t i = 0; i < kIntervals; ++i) {
-    const std::uint32_t next = hard(i + 1);
-    const std::uint32_t rise = next - here;
-    lines_[static_cast<std::size_t>(i)] = ((here - rise * i) << 16) | rise;
-    here = next;
-  }
+  });
 }
 
 /// Cartoon light: the colours of `steps` lights, evenly spaced from none to all, in place of a gradual

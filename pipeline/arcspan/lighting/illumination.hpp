@@ -2,6 +2,7 @@
 #pragma once
 
 #include <arcspan/checked.hpp>
+#include <arcspan/lighting/accuracy_limits.hpp>
 #include <arcspan/lighting/check_light.hpp>
 #include <arcspan/lighting/directional_light.hpp>
 #include <arcspan/lighting/highlight_fade.hpp>
@@ -103,11 +104,11 @@ class Illumination : private FadeFor<Features>,
   /// kInvalidArgument, and changes nothing, if `steps` is out of range.
   constexpr Status set_tolerance(std::int32_t steps) {
     if (steps < 0 || steps > 64) return Status::kInvalidArgument;
-    tolerance_ = steps;
-    set_limits();
+    limits_.tolerance = steps;
+    limits_.set(Model, shininess_, power_);
     return Status::kOk;
   }
-  [[nodiscard]] constexpr std::int32_t tolerance() const { return tolerance_; }
+  [[nodiscard]] constexpr std::int32_t tolerance() const { return limits_.tolerance; }
   /// Light in 2...16 equal `steps`, and hard highlights for `Arc`, until make() (lighting/toon.hpp). Returns
   /// kInvalidArgument, and changes nothing, if `steps` is out of range.
   constexpr Status set_toon(std::int32_t steps) requires(Lights == 1 || !Features.coloured_lights);
@@ -316,16 +317,12 @@ class Illumination : private FadeFor<Features>,
   }
   /// The squared chord up to which a triangle of any shape with a highlight may be quadratic
   /// (is_accurate_quadratic()).
-  [[nodiscard]] constexpr std::uint32_t widest_patch() const { return widest_patch_; }
+  [[nodiscard]] constexpr std::uint32_t widest_patch() const { return limits_.widest_patch; }
 
   /// The change of the largest diffuse channel from no light to all, in 8-bit steps with 5 fraction bits.
-  [[nodiscard]] constexpr std::uint32_t most_light() const {
-    if constexpr (kHasRamp) return (most_diffuse() * ramp_range()) >> 15;
-    return most_diffuse() * static_cast<std::uint32_t>(Lights);
-  }
-  /// The largest diffuse and specular coefficients of a channel, in 8-bit steps with 5 fraction bits.
+  [[nodiscard]] constexpr std::uint32_t most_light() const { return limits_.light_height; }
+  /// The largest diffuse coefficient of a channel, in 8-bit steps with 5 fraction bits.
   [[nodiscard]] constexpr std::uint32_t most_diffuse() const { return largest_channel(diffuse_); }
-  [[nodiscard]] constexpr std::uint32_t most_specular() const { return largest_channel(specular_); }
   [[nodiscard]] constexpr const PowerTable& power() const { return power_; }
   [[nodiscard]] constexpr std::uint32_t shininess() const { return shininess_; }
   /// False for an illumination that make() has not set, in builds with checks only (ARCSPAN_CHECKED).
@@ -486,17 +483,16 @@ class Illumination : private FadeFor<Features>,
   /// The slope of c^n by c at a half distance, as a part of the slope at c = 1, 15 fraction bits; above 1 by
   /// up to 1/8 if n = 1.
   [[nodiscard]] constexpr std::uint32_t highlight_slope(std::int32_t half_distance) const;
-  /// Sets what depends on strengths or the tolerance.
-  constexpr void set_limits();
+  /// `highlight_height` is that of AccuracyLimits.
+  constexpr void set_limits(std::uint32_t highlight_height) {
+    limits_.highlight_height = highlight_height;
+    limits_.set(Model, shininess_, power_);
+  }
   constexpr void set_ramp_range();
-  constexpr void set_highlight_height(const std::array<DirectionalLight, Lights>& lights);
-  /// The weighted sum of N·L at the end of the ramp, 15 fraction bits.
+  /// The weighted sum of N·L at the end of the ramp, or in full coloured light; 15 fraction bits.
   [[nodiscard]] constexpr std::uint32_t ramp_range() const {
-    if constexpr (Lights == 1) {
-      return std::uint32_t{1} << 15;
-    } else {
-      return this->range;
-    }
+    if constexpr (Lights > 1 && kHasRamp) return this->range;
+    return static_cast<std::uint32_t>(Lights) << 15;
   }
   constexpr void make_ramp();
 
@@ -511,16 +507,7 @@ class Illumination : private FadeFor<Features>,
   std::array<std::int32_t, Lights> closeness_origin_{};         ///< HighlightTable
   PowerTable power_{};
   HighlightTable highlights_{};
-  std::int32_t tolerance_ = 0;
-  std::uint32_t light_height_ = 0;      ///< most_light()
-  std::uint32_t highlight_height_ = 0;  ///< of all lights together, in 8-bit steps with 5 fraction bits
-  std::uint32_t sharpness_ = 0;      ///< the change of all highlights with s/12 (light_over()), in half steps
-  std::uint32_t allowed_light_ = 0;  ///< 12 times the error of planes, 8-bit steps, 5 fraction bits
-  std::uint32_t allowed_highlight_ = 0;  ///< that of highlights
-  std::int32_t shine_reach_ = 0;  ///< least half distance at which highlights are below half the tolerance
-  std::uint32_t widest_diffuse_ = 0;    ///< squared chord of quadratic surfaces without highlight
-  std::uint32_t widest_highlight_ = 0;  ///< of those under the brightest highlight
-  std::uint32_t widest_patch_ = 0;
+  AccuracyLimits limits_{};
   std::uint32_t shininess_ = 1;
   std::uint32_t white_specular_ = 0;  ///< specular_[0] if all channels are equal, else 0
 };

@@ -4,7 +4,6 @@
 #include <arcspan/lighting/illumination.hpp>
 #include <arcspan/target.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,74 +22,7 @@ namespace detail {
   return static_cast<std::int32_t>(s * (5462u + ((s * 1901u) >> 15)));
 }
 
-/// Returns x^(2/3), 8 fraction bits, for x of 0...2^16 with 8 fraction bits.
-[[nodiscard]] constexpr std::uint32_t two_thirds_power(std::uint32_t x) {
-  const std::uint64_t square = (std::uint64_t{x} * x) << 8;  // 24 fraction bits
-  std::uint64_t root = 0;
-  for (std::uint64_t bit = std::uint64_t{1} << 18; bit != 0; bit >>= 1) {
-    const std::uint64_t r = root | bit;
-    if (r * r * r <= square) root = r;
-  }
-  return static_cast<std::uint32_t>(root);
-}
-
-/// Returns the squared chord at which a quadratic surface has the error `allowed`, from the squared chord
-/// `limit` at which it has `error`; both have 5 fraction bits. Errors grow with the cube of the angle.
-[[nodiscard]] constexpr std::uint32_t limit_at_error(std::uint32_t limit, std::uint32_t error,
-                                                     std::uint32_t allowed) {
-  const std::uint32_t factor = two_thirds_power((allowed << 8) / (error == 0 ? 1 : error));
-  const std::uint64_t wider = (std::uint64_t{limit} * factor) >> 8;
-  return static_cast<std::uint32_t>(wider < kWidestQuadratic ? wider : kWidestQuadratic);
-}
-
-/// The error of N·L, in 8-bit steps of full light with 5 fraction bits, that planes and quadratic surfaces
-/// may have without tolerance: 0.2.
-inline constexpr std::uint32_t kExactEnough = 6;
-/// The squared chord at which a quadratic surface of full light has that error: 17.8 degrees.
-inline constexpr std::uint32_t kWidestExact = 25690112u;
-/// The error of a highlight at widest_patch(), 1.4 8-bit steps.
-inline constexpr std::uint32_t kHighlightError = 45;
-/// Entry i is (16 / (i + 1))^(2/3) with 4 fraction bits, rounded down. Not a variable of the function,
-/// because gcc would copy it to the stack.
-inline constexpr std::array<std::uint8_t, 16> kWiderAtSlope{101, 64, 48, 40, 34, 30, 27, 25,
-                                                            23,  21, 20, 19, 18, 17, 16, 16};
-
 }  // namespace detail
-
-/// Returns the squared chord (28 fraction bits, as `limit`) at which a surface under highlights of this slope
-/// (0...15) has the error that it has at `limit` under the brightest: `limit` times 1...6.3. The error of a
-/// highlight is that of its cosine, which grows with the cube of the angle, times the slope.
-[[nodiscard]] constexpr std::uint32_t limit_at_slope(std::uint32_t limit, std::uint8_t slope) {
-  return (limit >> 4) * detail::kWiderAtSlope[slope];
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr void Illumination<Lights, Model, Features>::set_limits() {
-  const std::uint32_t more = static_cast<std::uint32_t>(tolerance_) << 5;
-  constexpr std::uint32_t kTurns = Model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N
-  light_height_ = most_light();
-  sharpness_ = (highlight_height_ * shininess_ * kTurns) >> 6;  // below 2^20
-  // Between normals that are 60 degrees apart planes are off by 1.7 times the s/12 of light_over(): there by
-  // one step and the tolerance.
-  const std::uint32_t wide = ((32 + more) * 10 + 8) / 17;
-  allowed_light_ = 12 * (detail::kExactEnough + more < wide ? detail::kExactEnough + more : wide);
-  allowed_highlight_ = 12 * (detail::kHighlightError + more);
-  const std::uint32_t exact = (detail::kExactEnough * light_height_) / (255u << 5);
-  widest_diffuse_ = detail::limit_at_error(detail::kWidestExact, exact, detail::kExactEnough + more);
-  widest_highlight_ =
-      detail::limit_at_error(widest_patch_, detail::kHighlightError, detail::kHighlightError + more);
-  // The least distance at which the highlights of all lights together are below half the tolerance: any, even
-  // one below 0, as bounds may be, if they are so at their peak.
-  shine_reach_ = INT32_MIN;
-  if (highlight_height_ * power_(0) <= more << 14) return;
-  shine_reach_ = 0;
-  for (std::int32_t bit = std::int32_t{1} << 29; bit != 0; bit >>= 1) {
-    const std::int32_t further = shine_reach_ | bit;
-    if (further >= power_.half_reach()) continue;
-    if (highlight_height_ * power_(further) > more << 14) shine_reach_ = further;
-  }
-  ++shine_reach_;
-}
 
 /// By R·V the highlight cannot reach N·L = x if (1 + L·V) / 2 - x is beyond its reach: the half distance (1 +
 /// L·V) / 2 - (N·L)(N·V) is at least that. x is 2^-7 above the N·L from which on highlights have their full
@@ -160,18 +92,18 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
     const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
     if (distance < nearest) nearest = distance;
     if constexpr (Lights == 1) brightest = largest(a[i], b[i], c[i]);
-    if (distance < shine_reach_) ends = ends || may_end(i, a, b, c);
+    if (distance < limits_.shine_reach) ends = ends || may_end(i, a, b, c);
   }
   const std::uint32_t s = widest >> 13;  // 15 fraction bits
   const auto is_linear = [this, s](std::int32_t most) {
-    const std::uint32_t light = (light_height_ * (static_cast<std::uint32_t>(most) >> 15)) >> 15;
-    return ((light * s) >> 15) <= allowed_light_;
+    const std::uint32_t light = (limits_.light_height * (static_cast<std::uint32_t>(most) >> 15)) >> 15;
+    return ((light * s) >> 15) <= limits_.allowed_light;
   };
   TriangleLight result{LightReach::kHighlight, false, 0, static_cast<std::int32_t>((s * 21845u) >> 18),
-                       widest_diffuse_};
+                       limits_.widest_diffuse};
   if constexpr (kHasRamp) {
     std::uint32_t lit = 0;
-    if (nearest >= shine_reach_ && lit_throughout(a, b, c, lit)) {
+    if (nearest >= limits_.shine_reach && lit_throughout(a, b, c, lit)) {
       result.reach = LightReach::kDiffuse;
       result.lit = static_cast<std::uint8_t>(lit);
       if constexpr (Lights > 1)
@@ -182,12 +114,12 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
   }
   const std::uint32_t of_nearest = ends ? 32768u : highlight_slope(nearest);
   const std::uint32_t slope = of_nearest < 32768u ? of_nearest : 32768u;
-  const std::uint32_t sharp = (sharpness_ * (slope >> 3)) >> 12;
+  const std::uint32_t sharp = (limits_.sharpness * (slope >> 3)) >> 12;
   if constexpr (Lights > 1) brightest = std::int32_t{1} << Cosine::kFraction;
-  result.linear = is_linear(brightest) && s < 4096 && ((sharp * s) >> 9) <= allowed_highlight_;
-  const std::uint32_t limit = slope >= 32768u
-                                  ? widest_highlight_
-                                  : limit_at_slope(widest_highlight_, static_cast<std::uint8_t>(slope >> 11));
+  result.linear = is_linear(brightest) && s < 4096 && ((sharp * s) >> 9) <= limits_.allowed_highlight;
+  const std::uint32_t limit =
+      slope >= 32768u ? limits_.widest_highlight
+                      : limit_at_slope(limits_.widest_highlight, static_cast<std::uint8_t>(slope >> 11));
   if (limit < result.quadratic_limit) result.quadratic_limit = limit;
   return result;
 }

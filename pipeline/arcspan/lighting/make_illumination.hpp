@@ -4,40 +4,10 @@
 #include <arcspan/lighting/illumination.hpp>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 namespace arcspan {
-
-/// Returns the squared chord, 28 fraction bits, up to which an equilateral triangle with a highlight may be
-/// quadratic, so that the highlight differs by at most 1.4 8-bit steps. The difference grows with the
-/// exponent and with `height`, the height of the highlights of all lights together (8-bit steps, 5 fraction
-/// bits, at most four times 255).
-[[nodiscard]] constexpr std::uint32_t widest_patch(Highlight model, std::int32_t shininess,
-                                                   std::uint32_t height) {
-  // Entry i is for the exponent 2^i and white highlights by R·V: 23, 23, 23, 20, 17, 14.5, 11, 9, 7.5,
-  // 6.3, 5.2 degrees. Blunt highlights would allow 29, but they end abruptly where N·L = 0, so its error
-  // counts too. Sharp ones show rounding as well, which leaves less for the surface.
-  constexpr std::array<std::uint32_t, 11> kChords{42678632, 42678632, 42678632, 32377278, 23458706, 17100605,
-                                                  9863831,  6609772,  4593005,  3241999,  2209600};
-  constexpr std::uint32_t kWhiteHeight = 255u << 5;
-  // N·H turns by half the angle of R·V, so its highlights are as wide as those of a quarter of the exponent.
-  const std::uint32_t exponent = static_cast<std::uint32_t>(shininess)
-                                 << (model == Highlight::kPhong ? 8 : 6);
-  // The exponent of a white highlight that is as sharp, 8 fraction bits.
-  const std::uint32_t sharpness = exponent * height / kWhiteHeight;
-  if (sharpness <= 256) return kChords[0];
-  const int doublings = static_cast<int>(std::bit_width(sharpness)) - 9;
-  const std::uint32_t beyond = (sharpness >> doublings) - 256;
-  const auto index = static_cast<std::size_t>(doublings);
-  if (beyond == 0) return kChords[index];
-  constexpr std::size_t kSharp = 4;  // n = 16: beyond it, surfaces between two entries are less accurate
-  if (index >= kSharp) return kChords[index + 1];
-  // log2(1 + x) = x + 0.344 x (1 - x), error below 0.008; 8 fraction bits
-  const std::uint32_t share = beyond + ((beyond * (256 - beyond) * 88) >> 16);
-  return kChords[index] - ((kChords[index] - kChords[index + 1]) >> 8) * share;
-}
 
 namespace detail {
 
@@ -105,7 +75,8 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];
   illumination.white_specular_ = white ? specular[0] : 0;
   illumination.shininess_ = static_cast<std::uint32_t>(material.shininess);
-  illumination.tolerance_ = 0;
+  illumination.limits_.tolerance = 0;
+  illumination.limits_.light_height = (illumination.most_diffuse() * illumination.ramp_range()) >> 15;
   illumination.power_ = PowerTable(material.shininess);
   illumination.highlights_ = HighlightTable(illumination.power_, specular);
   std::array<Direction, Lights> to_lights;
@@ -115,7 +86,7 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   if constexpr (Lights > 1) {
     illumination.set_strengths(lights);
   } else {
-    illumination.set_highlight_height(lights);
+    illumination.set_limits(largest_channel(specular));
   }
   return Status::kOk;
 }
@@ -141,7 +112,9 @@ constexpr void Illumination<Lights, Model, Features>::set_directions(
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::set_strengths(
     const std::array<DirectionalLight, Lights>& lights) requires(Lights > 1) {
+  std::uint32_t strengths = 0;  // 15 fraction bits, at most 4
   for (std::size_t i = 0; i < Lights; ++i) {
+    strengths += static_cast<std::uint32_t>(lights[i].strength.raw());
     const detail::ChannelWeights of_light = detail::channel_weights(lights[i]);
     if constexpr (kWeighsChannels) {
       weights_[i] = of_light;
@@ -155,22 +128,7 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
       this->shares[i] = (of_light[0] * this->inverse) >> 15;
     }
   }
-  set_highlight_height(lights);
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr void Illumination<Lights, Model, Features>::set_highlight_height(
-    [[maybe_unused]] const std::array<DirectionalLight, Lights>& lights) {
-  highlight_height_ = most_specular();  // a single light's strength is in the coefficient
-  if constexpr (Lights > 1) {
-    std::uint32_t strengths = 0;  // 15 fraction bits, at most 4
-    for (const DirectionalLight& light : lights)
-      strengths += static_cast<std::uint32_t>(light.strength.raw());
-    highlight_height_ =
-        static_cast<std::uint32_t>((std::uint64_t{most_specular()} * strengths) >> Coefficient::kFraction);
-  }
-  widest_patch_ = arcspan::widest_patch(Model, static_cast<std::int32_t>(shininess_), highlight_height_);
-  set_limits();
+  set_limits(static_cast<std::uint32_t>((std::uint64_t{largest_channel(specular_)} * strengths) >> 15));
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>

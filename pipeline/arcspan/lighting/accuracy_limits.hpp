@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// How wide the triangles are on which planes and quadratic surfaces are as accurate as an illumination
-/// wants.
+/// On which triangles planes and quadratic surfaces are as accurate as an illumination wants.
 namespace arcspan {
 
 namespace detail {
@@ -92,20 +91,19 @@ struct AccuracyLimits {
   /// lights together, in 8-bit steps with 5 fraction bits.
   std::uint32_t light_height = 0;
   std::uint32_t highlight_height = 0;
+  std::uint32_t widest_patch = 0;   ///< squared chord of quadratic surfaces under the brightest highlight
   std::uint32_t sharpness = 0;      ///< the change of all highlights with s/12 (light_over()), in half steps
   std::uint32_t allowed_light = 0;  ///< 12 times the error of planes, 8-bit steps, 5 fraction bits
   std::uint32_t allowed_highlight = 0;  ///< that of highlights
   std::int32_t shine_reach = 0;      ///< least half distance at which highlights are below half the tolerance
   std::uint32_t widest_diffuse = 0;  ///< squared chord of quadratic surfaces without highlight
-  std::uint32_t widest_highlight = 0;  ///< of those under the brightest highlight
-  std::uint32_t widest_patch = 0;      ///< widest_highlight without tolerance
+  std::uint32_t widest_highlight = 0;  ///< widest_patch with the tolerance
 
-  /// Sets the others by the first three and the highlight's model, exponent and power.
+  /// Sets the others by the first four and the highlight's model, exponent and power.
   constexpr void set(Highlight model, std::uint32_t shininess, const PowerTable& power) {
     const std::uint32_t more = static_cast<std::uint32_t>(tolerance) << 5;
     const std::uint32_t turns = model == Highlight::kBlinn ? 1 : 4;  // R turns twice as fast as N
     sharpness = (highlight_height * shininess * turns) >> 6;         // below 2^20
-    widest_patch = detail::widest_patch(model, shininess, highlight_height);
     // Between normals that are 60 degrees apart planes are off by 1.7 times the s/12 of light_over(): there
     // by one step and the tolerance.
     const std::uint32_t wide = ((32 + more) * 10 + 8) / 17;
@@ -117,15 +115,15 @@ struct AccuracyLimits {
         detail::limit_at_error(widest_patch, detail::kHighlightError, detail::kHighlightError + more);
     // The least distance at which the highlights of all lights together are below half the tolerance: any,
     // even one below 0, as bounds may be, if they are so at their peak.
+    const std::uint32_t height = highlight_height;  // a copy, which stores do not change
     shine_reach = INT32_MIN;
-    if (highlight_height * power(0) <= more << 14) return;
-    shine_reach = 0;
+    if (height * power(0) <= more << 14) return;
+    std::int32_t reach = 0;
     for (std::int32_t bit = std::int32_t{1} << 29; bit != 0; bit >>= 1) {
-      const std::int32_t further = shine_reach | bit;
-      if (further >= power.half_reach()) continue;
-      if (highlight_height * power(further) > more << 14) shine_reach = further;
+      const std::int32_t further = reach | bit;
+      if (further < power.half_reach() && height * power(further) > more << 14) reach = further;
     }
-    ++shine_reach;
+    shine_reach = reach + 1;
   }
 };
 

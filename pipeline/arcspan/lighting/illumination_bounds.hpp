@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Bounds of the light over a triangle, by which shading methods choose a path, and the limits of errors.
+/// Bounds of the light over a triangle, by which shading methods choose a path.
 namespace arcspan {
 
 namespace detail {
@@ -22,6 +22,25 @@ namespace detail {
   return static_cast<std::int32_t>(s * (5462u + ((s * 1901u) >> 15)));
 }
 
+/// The largest of three scalars, at least 0.
+[[nodiscard]] constexpr std::int32_t largest(Cosine a, Cosine b, Cosine c) {
+  const std::int32_t two = a.raw() > b.raw() ? a.raw() : b.raw();
+  const std::int32_t three = two > c.raw() ? two : c.raw();
+  return three > 0 ? three : 0;
+}
+
+/// Returns the slope of c^n by c at a half distance, as a part of the slope at c = 1, 15 fraction bits; above
+/// 1 by up to 1/8 if n = 1. With p = c^n and h = (1 - c) / 2 it is c^(n - 1) = p / c: at most p (1 + 4 h) for
+/// c of at least 1/2, and 2^(1 - n) below.
+[[nodiscard]] constexpr std::uint32_t highlight_slope(const PowerTable& table, std::uint32_t shininess,
+                                                      std::int32_t half_distance) {
+  if (half_distance >= table.half_reach()) return 0;
+  const std::uint32_t h = half_distance < 0 ? 0 : static_cast<std::uint32_t>(half_distance);
+  if (h > std::uint32_t{1} << 28) return 32768u >> (shininess - 1);  // below half_reach() only if n < 10
+  const std::uint32_t power = table(half_distance);
+  return power + ((power * (h >> 15)) >> 13);
+}
+
 }  // namespace detail
 
 /// By R·V the highlight cannot reach N·L = x if (1 + L·V) / 2 - x is beyond its reach: the half distance (1 +
@@ -31,21 +50,9 @@ template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr bool Illumination<Lights, Model, Features>::may_end(std::size_t light, const Scalars& a,
                                                               const Scalars& b, const Scalars& c) const {
   const std::int32_t lit_from = fade().end().raw() + (std::int32_t{1} << (Cosine::kFraction - 7));
-  if (Model == Highlight::kPhong && half_one_plus_light_eye_[light] - lit_from >= power_.half_reach())
+  if (Model == Highlight::kPhong && highlight_distance({}, {}, light) - lit_from >= power_.half_reach())
     return false;
   return a[light].raw() < lit_from || b[light].raw() < lit_from || c[light].raw() < lit_from;
-}
-
-/// With p = c^n and h = (1 - c) / 2 the slope is c^(n - 1) = p / c: at most p (1 + 4 h) for c of at least
-/// 1/2, and 2^(1 - n) below.
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr std::uint32_t Illumination<Lights, Model, Features>::highlight_slope(
-    std::int32_t half_distance) const {
-  if (half_distance >= power_.half_reach()) return 0;
-  const std::uint32_t h = half_distance < 0 ? 0 : static_cast<std::uint32_t>(half_distance);
-  if (h > std::uint32_t{1} << 28) return 32768u >> (shininess_ - 1);  // below half_reach() only if n < 10
-  const std::uint32_t power = power_(half_distance);
-  return power + ((power * (h >> 15)) >> 13);
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
@@ -91,7 +98,7 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
   for (std::size_t i = 0; i < Lights; ++i) {
     const std::int32_t distance = nearest_highlight_of(i, a, b, c, headroom);
     if (distance < nearest) nearest = distance;
-    if constexpr (Lights == 1) brightest = largest(a[i], b[i], c[i]);
+    if constexpr (Lights == 1) brightest = detail::largest(a[i], b[i], c[i]);
     if (distance < limits_.shine_reach) ends = ends || may_end(i, a, b, c);
   }
   const std::uint32_t s = widest >> 13;  // 15 fraction bits
@@ -107,12 +114,12 @@ constexpr TriangleLight Illumination<Lights, Model, Features>::light_over(const 
       result.reach = LightReach::kDiffuse;
       result.lit = static_cast<std::uint8_t>(lit);
       if constexpr (Lights > 1)
-        brightest = largest(diffuse_scalar(a, lit), diffuse_scalar(b, lit), diffuse_scalar(c, lit));
+        brightest = detail::largest(diffuse_scalar(a, lit), diffuse_scalar(b, lit), diffuse_scalar(c, lit));
       result.linear = is_linear(brightest);
       return result;
     }
   }
-  const std::uint32_t of_nearest = ends ? 32768u : highlight_slope(nearest);
+  const std::uint32_t of_nearest = ends ? 32768u : detail::highlight_slope(power_, shininess_, nearest);
   const std::uint32_t slope = of_nearest < 32768u ? of_nearest : 32768u;
   const std::uint32_t sharp = (limits_.sharpness * (slope >> 3)) >> 12;
   if constexpr (Lights > 1) brightest = std::int32_t{1} << Cosine::kFraction;

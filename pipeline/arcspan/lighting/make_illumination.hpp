@@ -25,19 +25,15 @@ inline constexpr ChannelWeights kFullWeights{32768, 32768, 32768};
   return {weight(light.colour.r), weight(light.colour.g), weight(light.colour.b)};
 }
 
-/// c * weight * 255, rounded: 8-bit steps with `bits` (0...24) fraction bits.
-[[nodiscard]] constexpr std::uint32_t scaled_coefficient(Coefficient c, std::uint32_t weight, int bits) {
-  const std::uint64_t product = std::uint64_t{static_cast<std::uint32_t>(c.raw())} * weight * 255u;
-  const int down = 2 * Coefficient::kFraction - bits;
-  return static_cast<std::uint32_t>((product + (std::uint64_t{1} << (down - 1))) >> down);
-}
-
-/// scaled_coefficient() per channel.
+/// c * weight * 255 per channel, rounded: 8-bit steps with `bits` (0...24) fraction bits.
 [[nodiscard]] constexpr std::array<std::uint32_t, 3> scaled_channels(const ChannelCoefficients& c,
                                                                      const ChannelWeights& weights,
                                                                      int bits) {
-  return {scaled_coefficient(c.r, weights[0], bits), scaled_coefficient(c.g, weights[1], bits),
-          scaled_coefficient(c.b, weights[2], bits)};
+  const auto scaled = [down = 2 * Coefficient::kFraction - bits](Coefficient of, std::uint32_t weight) {
+    const std::uint64_t product = std::uint64_t{static_cast<std::uint32_t>(of.raw())} * weight * 255u;
+    return static_cast<std::uint32_t>((product + (std::uint64_t{1} << (down - 1))) >> down);
+  };
+  return {scaled(c.r, weights[0]), scaled(c.g, weights[1]), scaled(c.b, weights[2])};
 }
 
 }  // namespace detail
@@ -65,24 +61,22 @@ constexpr Status Illumination<Lights, Model, Features>::make(
   // A single light's weights are multiplied into the coefficients. Several lights are weighted per pixel.
   const detail::ChannelWeights weights =
       Lights == 1 ? detail::channel_weights(lights[0]) : detail::kFullWeights;
-  constexpr int kCoefficientBits = 5;
   illumination.ambient_ = detail::scaled_channels(material.ambient, detail::kFullWeights, 20);
-  illumination.diffuse_ = detail::scaled_channels(material.diffuse, weights, kCoefficientBits);
-  illumination.specular_ = detail::scaled_channels(material.specular, weights, kCoefficientBits);
+  illumination.diffuse_ = detail::scaled_channels(material.diffuse, weights, 5);
+  illumination.specular_ = detail::scaled_channels(material.specular, weights, 5);
   static_cast<FadeFor<Features>&>(illumination) = FadeFor<Features>(material.highlight_fade);
-  if constexpr (Lights > 1 && kHasRamp) illumination.set_ramp_range();
   const std::array<std::uint32_t, 3>& specular = illumination.specular_;
   const bool white = specular[0] == specular[1] && specular[1] == specular[2];
   illumination.white_specular_ = white ? specular[0] : 0;
   illumination.shininess_ = static_cast<std::uint32_t>(material.shininess);
   illumination.limits_.tolerance = 0;
-  illumination.limits_.light_height = (illumination.most_diffuse() * illumination.ramp_range()) >> 15;
   illumination.power_ = PowerTable(material.shininess);
   illumination.highlights_ = HighlightTable(illumination.power_, specular);
   std::array<Direction, Lights> to_lights;
   for (std::size_t i = 0; i < Lights; ++i) to_lights[i] = lights[i].towards;
   illumination.set_directions(to_lights, to_eye);
   if constexpr (kHasRamp) illumination.make_ramp();
+  illumination.limits_.light_height = (illumination.most_diffuse() * illumination.ramp_range()) >> 15;
   if constexpr (Lights > 1) {
     illumination.set_strengths(lights);
   } else {
@@ -96,17 +90,18 @@ constexpr void Illumination<Lights, Model, Features>::set_directions(
     const std::array<Direction, Lights>& to_lights, const Direction& to_eye) {
   for (std::size_t i = 0; i < Lights; ++i) {
     axes_[i] = to_lights[i];
-    half_one_plus_light_eye_[i] =
-        (std::int32_t{1} << (Cosine::kFraction - 1)) + (dot(to_lights[i], to_eye).raw() >> 1);
-    if (Model == Highlight::kBlinn) axes_[(Lights + i) % kScalars] = half_way(to_lights[i], to_eye);
+    // At c = 1 closeness is the reach: N·H / 2 = 1/2, or (N·L) (N·V) = (1 + L·V) / 2.
+    Cosine at_peak = Cosine::of(0.5);
+    if constexpr (Model == Highlight::kBlinn) {
+      axes_[Lights + i] = half_way(to_lights[i], to_eye);
+    } else {
+      at_peak += Cosine::from_raw(dot(to_lights[i], to_eye).raw() >> 1);
+      this->half_one_plus_light_eye[i] = at_peak.raw();
+    }
+    if (i < closeness_origin_.size())
+      closeness_origin_[i] = wrap_sub(highlights_.reach(), highlights_.scaled(at_peak).raw());
   }
   if (Model == Highlight::kPhong) axes_[Lights] = to_eye;
-  for (std::size_t i = 0; i < Lights; ++i) {
-    // At c = 1 closeness is the reach: (N·L) (N·V) = (1 + L·V) / 2, or N·H / 2 = 1/2.
-    const Cosine at_peak =
-        Model == Highlight::kBlinn ? Cosine::of(0.5) : Cosine::from_raw(half_one_plus_light_eye_[i]);
-    closeness_origin_[i] = wrap_sub(highlights_.reach(), highlights_.scaled(at_peak).raw());
-  }
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
@@ -116,15 +111,15 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
   for (std::size_t i = 0; i < Lights; ++i) {
     strengths += static_cast<std::uint32_t>(lights[i].strength.raw());
     const detail::ChannelWeights of_light = detail::channel_weights(lights[i]);
-    if constexpr (kWeighsChannels) {
-      weights_[i] = of_light;
+    if constexpr (!kHasRamp) {
+      this->weights[i] = of_light;
       for (std::size_t c = 0; c < 3; ++c) {
         constexpr std::array<std::uint32_t, 3> kSteps{31, 63, 31};
-        this->tints[i][c] = (diffuse_[c] * of_light[c] + (1u << 14)) >> 15;
+        this->tints[i][c] = weighted(diffuse_[c], of_light[c]);
         this->shines[i][c] = highlights_.channel(c, of_light[c]) * kSteps[c] / 255;
       }
     } else {
-      weights_[i] = of_light[0];
+      this->weights[i] = of_light[0];
       this->shares[i] = (of_light[0] * this->inverse) >> 15;
     }
   }
@@ -132,31 +127,29 @@ constexpr void Illumination<Lights, Model, Features>::set_strengths(
 }
 
 template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
-constexpr void Illumination<Lights, Model, Features>::set_ramp_range() {
-  // The light that saturates every channel, but at least three quarters of that of all lights at full
-  // strength: diffuse_scalar() then stays below 4/3, for which quadratic surfaces have room.
-  constexpr auto kMost = static_cast<std::uint32_t>(Lights) << 15;
-  this->range = kMost / 4 * 3;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::uint32_t missing = (255u << 5) - (ambient_[c] >> 15);  // 5 fraction bits
-    if (diffuse_[c] * (this->range >> 5) < missing << 10) this->range = kMost;
-  }
-  this->inverse = (std::uint32_t{1} << 30) / this->range;
-}
-
-template <std::size_t Lights, Highlight Model, IlluminationFeatures Features>
 constexpr void Illumination<Lights, Model, Features>::make_ramp() {
+  if constexpr (Lights > 1) {
+    // The light that saturates every channel, but at least three quarters of that of all lights at full
+    // strength: diffuse_scalar() then stays below 4/3, for which quadratic surfaces have room.
+    constexpr auto kMost = static_cast<std::uint32_t>(Lights) << 15;
+    this->range = kMost / 4 * 3;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t missing = (255u << 5) - (ambient_[c] >> 15);  // 5 fraction bits
+      if (diffuse_[c] * (this->range >> 5) < missing << 10) this->range = kMost;
+    }
+    this->inverse = (std::uint32_t{1} << 30) / this->range;
+  }
+  const std::array<std::uint32_t, 3> ambient = ambient_;  // copies, which need not be loaded for each entry
+  const std::array<std::uint32_t, 3> diffuse = diffuse_;
+  const std::uint32_t full = ramp_range();
   for (std::size_t i = 0; i < ramp_.size(); ++i) {
     // Entry 0 is also the colour of the unlit side, where the diffuse part is 0.
     const std::uint32_t middle = static_cast<std::uint32_t>(i) * 2 + 1;  // kRampBits + 1 fraction bits
-    const std::uint32_t light = i == 0 ? 0 : (middle * ramp_range()) >> (kRampBits + 1);
+    const std::uint32_t light = i == 0 ? 0 : (middle * full) >> (kRampBits + 1);
     // From 20 to 2 fraction bits, rounded, with half an 8-bit step added, as PackedRgb has it.
-    const auto channel_level = [&](std::size_t c) {
-      const std::uint32_t sum =
-          (ambient_[c] + diffuse_[c] * light + (std::uint32_t{1} << 19) + (std::uint32_t{1} << 17)) >> 18;
-      return sum > 1023 ? 1023u : sum;
-    };
-    ramp_[i] = PackedRgb::of(channel_level(0), channel_level(1), channel_level(2));
+    constexpr std::uint32_t kHalves = (std::uint32_t{1} << 19) + (std::uint32_t{1} << 17);
+    const auto level = [&](std::size_t c) { return ambient[c] + diffuse[c] * light; };
+    ramp_[i] = packed_levels({level(0), level(1), level(2)}, kHalves);
   }
 }
 

@@ -37,7 +37,7 @@ struct TriangleLight {
 struct LinearLevel {
   std::int32_t dark;  ///< without light
   std::int32_t rise;  ///< what a scalar of 1 adds, at most 2^18
-  bool is_gradual;    ///< false for light in steps
+  bool is_gradual;    ///< false for light in steps, or too dim for two colours in a sixteenth of its ramp
 
   /// The level at a scalar, below 0 and above 65280 where light is less than none or more than full.
   [[nodiscard]] constexpr std::int32_t at(Cosine scalar) const {

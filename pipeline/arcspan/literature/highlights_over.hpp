@@ -72,8 +72,8 @@ struct HighlightsOver {
       const std::uint32_t widest = ab > ac ? (ab > bc ? ab : bc) : ac > bc ? ac : bc;
       return lit.highlight_distance({}, detail::highest_over(a[other], b[other], c[other], widest), light);
     }
-    constexpr std::int32_t kRounding = std::int32_t{1} << (28 - 11);     // of factors with 14 fraction bits
-    const std::int32_t most = lit.half_one_plus_light_eye_[light] >> 2;  // K, 28 fraction bits
+    constexpr std::int32_t kRounding = std::int32_t{1} << (28 - 11);       // of factors with 14 fraction bits
+    const std::int32_t most = lit.highlight_distance({}, {}, light) >> 2;  // K, 28 fraction bits
     struct Vertex {
       std::int32_t light;
       std::int32_t eye;
@@ -110,10 +110,10 @@ struct HighlightsOver {
   [[nodiscard]] static constexpr std::uint32_t largest_weight(const Light& lit, std::size_t light) {
     if constexpr (Light::kLights == 1) {
       return std::uint32_t{1} << 15;
-    } else if constexpr (Light::kWeighsChannels) {
-      return largest_channel(lit.weights_[light]);
+    } else if constexpr (Light::kHasRamp) {
+      return lit.weights[light];
     } else {
-      return lit.weights_[light];
+      return largest_channel(lit.weights[light]);
     }
   }
 
@@ -132,7 +132,9 @@ struct HighlightsOver {
       const std::int32_t nearest = nearest_in_triangle(lit, i, a, b, c, ab, ac, bc);
       if (nearest < bound.nearest) bound.nearest = nearest;
       if (nearest >= lit.power_.half_reach()) continue;
-      slopes += lit.may_end(i, a, b, c) ? weight : (weight * lit.highlight_slope(nearest)) >> 15;
+      slopes += lit.may_end(i, a, b, c)
+                    ? weight
+                    : (weight * detail::highlight_slope(lit.power(), lit.shininess(), nearest)) >> 15;
     }
     if constexpr (Light::kLights == 1) {
       bound.slope = slopes >= 32768 ? HighlightBound::kBrightest : static_cast<std::uint8_t>(slopes >> 11);

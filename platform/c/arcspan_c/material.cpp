@@ -40,7 +40,7 @@ template <class Chosen>
   using Prepared = PreparedMaterial<typename Chosen::Method>;
   const MaterialSource& source = made.source;
   auto& prepared = *new (made.prepared) Prepared;
-  // Ambient light is only here, because models in flash are made for white.
+  // Ambient light is in the coefficients: scenes are drawn in white, for which models in flash are made.
   Status status = Prepared::make(arcspan::detail::under(lights.ambient, source.material), {lights.lights},
                                  source.options, prepared);
   if (ok(status)) status = prepared.set_tolerance(source.tolerance);
@@ -99,7 +99,7 @@ Status find_or_make_material(arcspan_scene& scene, const MaterialSource& source,
   index = find_material(scene, source, parts);
   if (index != kNotMade) return Status::kOk;
   std::uint16_t i = scene.material_count;
-  if (i == scene.limits.materials) {  // only then, because each takes a look at all parts
+  if (i == scene.limits.materials) {  // one that is not kept; only now, because is_kept() looks at all parts
     i = 0;
     while (i < scene.limits.materials && is_kept(scene, i, parts)) ++i;
   }

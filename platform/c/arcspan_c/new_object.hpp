@@ -15,8 +15,9 @@ class NewObject {
  public:
   explicit NewObject(arcspan_scene& scene) : scene_(scene) {}
 
-  /// Adds a part of a prepared material, which is the one with the index `made`, or refers to it;
-  /// `neighbours` are null if the mesh has none. Returns kBufferTooSmall if there is no room for it.
+  /// Adds a part with its prepared material. `made` is the index in the scene of this material, or of the one
+  /// that it refers to if it is posed; kNotMade if it is in flash. `neighbours` are null if the mesh has
+  /// none. Returns kBufferTooSmall if there is no room for the part.
   [[nodiscard]] Status add(const MeshView& mesh, [[maybe_unused]] const MeshNeighbours* neighbours,
                            const SceneMaterial& material, const BoundingSphere& sphere,
                            std::uint16_t made = kNotMade) {
@@ -34,18 +35,18 @@ class NewObject {
     ++parts_;
     return Status::kOk;
   }
-  /// Adds a part of a material that is prepared now, unless the scene has the same.
+  /// Adds a part with the material of `source`, by make().
   [[nodiscard]] Status add(const MeshView& mesh, const MeshNeighbours* neighbours,
                            const MaterialSource& source, const BoundingSphere& sphere) {
     std::uint16_t made = kNotMade;
     const Status status = make(source, made);
     return ok(status) ? add(mesh, neighbours, material(made), sphere, made) : status;
   }
-  /// Prepares a material, unless the scene has the same, and sets `made` to its index.
+  /// Sets `made` to the index of the scene's material of this source, which is prepared if no part keeps one.
   [[nodiscard]] Status make(const MaterialSource& source, std::uint16_t& made) {
     return find_or_make_material(scene_, source, {std::size_t{scene_.object_count} + parts_}, made);
   }
-  /// The material that make() has found.
+  /// The material with an index that make() has set.
   [[nodiscard]] const SceneMaterial& material(std::uint16_t made) const {
     return scene_.materials[made].scene_material();
   }

@@ -89,7 +89,7 @@ struct KeepingParts {
 [[nodiscard]] Status find_or_make_material(arcspan_scene& scene, const MaterialSource& source,
                                            const KeepingParts& parts, std::uint16_t& index);
 
-/// As many of one light as a scene has room for.
+/// The array of a scene's lights, each of which is `light`.
 [[nodiscard]] constexpr std::array<SceneLight, ARCSPAN_C_LIGHTS> all_lights(const SceneLight& light) {
   return []<std::size_t... I>(const SceneLight& one, std::index_sequence<I...>) {
     return std::array{(static_cast<void>(I), one)...};
@@ -120,7 +120,7 @@ struct arcspan_scene {
   arcspan::MeshNeighbours* neighbours;  ///< of the meshes
   arcspan::OutlinedMesh* outlined;      ///< both
 #endif
-  std::uint16_t* parts;  ///< at an object's first part their number, at its others 0
+  std::uint16_t* parts;  ///< at an object's first part the number of its parts, at its others 0
   std::uint16_t* own;    ///< of each part, the index of the material that it was added with, or kNotMade
   std::uint16_t* shown;  ///< of each part, the index of the material that it is drawn by, or kNotMade
   arcspan::c::MadeMaterial* materials;

@@ -47,7 +47,8 @@ struct TexturedPixel {
   }
   [[nodiscard]] constexpr const auto& steps() const { return mapping.steps(); }
 
-  /// A texel under the current pixel's light. Compilers leave out the parts of the light that tables give.
+  /// A texel under the current pixel's light, given as its parts and as factor and shine. Compilers leave out
+  /// what the pixel format does not take (LitTexel).
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr auto lit(const Lighting& lighting, std::uint16_t texel) const {
     if constexpr (Colours == TexelLight::kNone) {
@@ -115,7 +116,8 @@ struct TexturedRun : TexturedPixel<Lit, Mapping, Texels, Colours, Filter> {
                                        const RowStart& row)
       : Pixel{light.row(row), Mapping(triangle, row), nullptr, nullptr}, first(triangle.first) {}
 
-  /// Finds the texels, and begins a piece of the texture. The light must not have pieces of its own.
+  /// Begins a piece and returns its number of pixels, at most `left`: in perspective a piece of the texture,
+  /// otherwise the rest of the row. The light must not have pieces of its own.
   template <class Lighting>
   [[nodiscard]] ARCSPAN_INLINE constexpr std::int32_t enter(const Lighting& lighting, std::int32_t left) {
     static_assert(!PiecewiseRun<Lit, Lighting>);
@@ -126,13 +128,13 @@ struct TexturedRun : TexturedPixel<Lit, Mapping, Texels, Colours, Filter> {
       texel = this->mapping.first();
     }
     this->words = lighting.texture.at(texel);
-    hide_value(this->words);  // otherwise the first texel is added for every pixel
+    hide_value(this->words);  // otherwise compilers add `texel` to the index of every pixel
     this->palette = lighting.texture.palette();
     return count;
   }
 };
 
-/// The rows of a small textured triangle. `Light` are those of its light, `Part` is Textured::Small.
+/// The rows of a small textured triangle: `Light` is the type of its light's rows, `Part` Textured::Small.
 template <class Light, class Part, class Steps, TexelFormat Texels, TexelLight Colours, TextureFilter Filter>
 struct TexturedSmall {
   using Run = TexturedPixel<typename Light::Run, LinearTexture<Steps, false>, Texels, Colours, Filter>;

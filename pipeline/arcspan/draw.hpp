@@ -12,6 +12,7 @@
 #include <arcspan/vertex/clip_transform.hpp>
 
 #include <span>
+#include <type_traits>
 
 namespace arcspan {
 

@@ -37,7 +37,7 @@ static_assert(Texture<DirectTexels<>>::words({7, 7, 8}) == 21845);
 static_assert(Texture<Palette4Texels<>>::words({7, 7, 1}) == 8192 && Palette8Texels<>::kPaletteSize == 256);
 static_assert(sizeof(Fog) <= 280 && sizeof(Opacity<>) == 4 && sizeof(ScreenDoor) == 4);
 static_assert(sizeof(Texture<DirectTexels<>>) <= kTextureView);
-static_assert(sizeof(Illumination<1, Highlight::kPhong>) == sizeof(Light));
+static_assert(sizeof(Illumination<1, Highlight::kPhong>) <= sizeof(Light) + 4);
 static_assert(sizeof(VertexCache<Arc<Light>>) <= 256);
 static_assert(sizeof(ObjectPosition) + sizeof(PackedNormal) == 10);
 using TwoLights = Arc<Illumination<2, Highlight::kBlinn>>;

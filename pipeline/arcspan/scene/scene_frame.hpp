@@ -16,8 +16,13 @@
 
 namespace arcspan {
 
-/// A camera, lights and objects, which draw_scene() draws. All three belong to the caller.
+/// A camera, lights and objects, which draw_scene() draws. All three belong to the caller, and must stay
+/// until the last band is drawn.
 struct Scene {
+  constexpr Scene(const Camera& seen_by, const LightList& lit_by, std::span<const Object> standing)
+      : camera(seen_by), lights(lit_by), objects(standing) {}
+  Scene(const Camera&&, const LightList&, std::span<const Object>) = delete;
+
   const Camera& camera;
   LightList lights;
   std::span<const Object> objects;

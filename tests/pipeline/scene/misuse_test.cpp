@@ -156,7 +156,8 @@ TEST_CASE(
   CHECK(whole.pixels == right.pixels);
   scribble(whole);
   const std::vector<Picture::Word> before = whole.pixels;
-  CHECK(draw_scene({Camera{}, kLights, {&object, 1}}, whole.picture, whole.depth, memory_of_scene, {0, 0, 40})
+  const Camera not_made;
+  CHECK(draw_scene({not_made, kLights, {&object, 1}}, whole.picture, whole.depth, memory_of_scene, {0, 0, 40})
             .status == Status::kNotReady);
   CHECK(draw_scene(scene, whole.picture, band.depth, memory_of_scene, {0, 0, 40}).status ==
         Status::kDepthMismatch);

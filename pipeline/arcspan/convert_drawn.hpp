@@ -47,9 +47,9 @@ template <class Source, class Target>
 /// Bits that the source does not store stay lost: after Rgb565 a target of 24 bits has 32 or 64 levels per
 /// channel.
 ///
-/// A surface that writes no depth (ReadOnlyDepth) is copied only where something behind it wrote it, and ink
-/// and smoothed pixels outside of outlines likewise: smooth and ink outlines in `target` afterwards. The
-/// target gets a run for every row of neighbouring pixels. Returns
+/// A surface that writes no depth (ReadOnlyDepth, or blended in a scene) is copied only where something
+/// behind it wrote it, and ink and smoothed pixels outside of outlines likewise: smooth and ink outlines in
+/// `target` afterwards. The target gets a run for every row of neighbouring pixels. Returns
 ///
 ///   kOk                all of them are converted
 ///   kInvalidArgument   source.bounds() are not within target.bounds(), though not empty

@@ -27,10 +27,10 @@ struct PickList<MethodList<Used...>> {
 /// same culling, clipping and order of equal depths. Outside of the picture nothing is found.
 ///
 /// Nothing is shaded, so the time does not depend on materials: textures and operations do not make a pixel
-/// transparent, and where a textured or a clipped triangle of up to 32x32 pixels is at most 10 steps of
-/// depth from another surface, or thinner than a pixel, either surface may be picked. Objects whose bounding
-/// spheres miss the pixel are skipped. Of the triangles of the others, only those around the pixel are
-/// transformed; all of them are if `memory` lists a Posed.
+/// transparent, blended surfaces count as if they wrote depths, and where a textured or a clipped triangle of
+/// up to 32x32 pixels is at most 10 steps of depth from another surface, or thinner than a pixel, either
+/// surface may be picked. Objects whose bounding spheres miss the pixel are skipped. Of the triangles of the
+/// others, only those around the pixel are transformed; all of them are if `memory` lists a Posed.
 ///
 /// It needs no picture and no depths. The memory in which draw calls make a material (SceneMemory) holds a
 /// byte for each vertex meanwhile; for a mesh with more vertices, triangles take twice as long.

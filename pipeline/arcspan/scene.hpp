@@ -132,7 +132,7 @@ ARCSPAN_INLINE inline void draw_parts(const SceneCall<Target, Memory, Sink>& cal
   // Finding the rows of triangles pays if the picture has two bands or more.
   auto rows = call.target.template begin_object<Memory>(slot, 2 * call.rect.height() <= call.whole.height());
   if constexpr (!kAllUses) {
-    // Rows are found part by part, and a pass may leave parts out.
+    // Rows are found part by part: there are none where a pass leaves parts out.
     if (count_parts(Uses{}, object) != object.part_count()) rows.leave_out();
   }
   for (std::size_t p = 0; p < object.part_count() && ok(result.status); ++p) {
@@ -164,13 +164,13 @@ ARCSPAN_INLINE inline void draw_pass(const SceneCall<Target, Memory, Sink>& call
     const std::size_t place = kNearestFirst ? i : count - 1 - i;
     SceneSlot& slot = frame.entries[frame.order[place]];
     if (call.reached != call.whole && is_outside(slot, call.reached)) continue;
-    bool is_last = true;  // pass that draws a part of the object
+    bool counts = true;  // in the last pass that draws a part of it
     if constexpr (!kAllUses) {
       if (count_parts(Uses{}, *slot.object) == 0) continue;
-      is_last = !kNearestFirst || count_parts(BlendedUses<typename Memory::UseList>{}, *slot.object) == 0;
+      counts = !kNearestFirst || count_parts(BlendedUses<typename Memory::UseList>{}, *slot.object) == 0;
     }
     const bool is_within = Target::kBeyond == 0 || call.rect == call.whole || !is_outside(slot, call.rect);
-    if (is_last && is_within) ++result.objects;
+    if (counts && is_within) ++result.objects;
     if (!frame.header.keeps_vertices) slot.held = nullptr;
     const ObjectLights lights = lights_at(frame.header, *slot.object);
     draw_parts<Uses>(call, slot, lights, depth, result);

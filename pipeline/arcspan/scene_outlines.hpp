@@ -253,9 +253,9 @@ template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, Depth
 
 namespace detail {
 
-/// Draws a scene and finds its outlines: while it is drawn, unless curves are drawn over them or parts of an
-/// object are drawn in two passes. Then finish() changes the picture along them. The status is that of
-/// drawing, of find_outlines() or of finish().
+/// Draws a scene and finds its outlines: while it is drawn, unless curves are drawn over them or the list has
+/// methods that blend: then an object may be drawn in two passes. Then finish() changes the picture along
+/// them. The status is that of drawing, of find_outlines() or of finish().
 template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, PixelFormat F,
           class Curved, class Finish>
 [[nodiscard]] SceneResult draw_outlined(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,
@@ -286,7 +286,8 @@ template <class Background, SceneMemoryType Memory, PixelSink Sink, DepthTarget 
 }  // namespace detail
 
 /// draw_scene() with smooth outlines. The status is the first that is not kOk: that of draw_scene(), of
-/// find_outlines() for the objects that may reach the sink, or of smooth_outlines(). With the last two the
+/// find_outlines() for the objects that may reach the sink, with curves or where `memory` lists a method that
+/// blends for all in view, or of smooth_outlines(). With the last two the
 /// scene is drawn, and smoothed as far as they state.
 template <class Background = Rgb8, SceneMemoryType Memory, PixelSink Sink, DepthTarget Depth, class Curved>
 [[nodiscard]] SceneResult draw_scene(const Scene& scene, Sink& sink, const Depth& depth, Memory& memory,

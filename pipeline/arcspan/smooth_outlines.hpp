@@ -95,8 +95,8 @@ ARCSPAN_INLINE inline void find_gaps(const OutlineList& outlines, const Scissor&
 }  // namespace detail
 
 /// Smooths the outlines of a picture, or of a band or rectangle of one: blends each pixel that an outline
-/// cuts with its neighbour on the other side, by the area on that side. Call it once, after all opaque
-/// objects are drawn with `depth`, and before transparent ones. Pixels change in the common bounds of the
+/// cuts with its neighbour on the other side, by the area on that side. Call it once, after all objects
+/// are drawn with `depth`; blended ones need not write it. Pixels change in the common bounds of the
 /// viewport and the sink, next to outlines that nothing nearer hides. Inside surfaces, and where the picture
 /// shows only one side of the outline, nothing changes.
 ///
@@ -107,7 +107,7 @@ ARCSPAN_INLINE inline void find_gaps(const OutlineList& outlines, const Scissor&
 ///
 /// In bands the pixels are, bit for bit, those of the whole picture, if a band is drawn with one row more
 /// above and below it, is smoothed with them, and is sent without them; likewise a rectangle, with one pixel
-/// on all four sides. What is smoothed again, after transparent objects, takes one more each time.
+/// on all four sides. A picture that is smoothed again takes one more.
 ///
 /// Returns kOk, or the first other status of the sink, at which blending stops, or
 ///

@@ -88,7 +88,8 @@ typedef struct {
 typedef struct arcspan_scene arcspan_scene;
 typedef struct {
   uint16_t objects; /* parts of all models together */
-  /* Different materials of all binaries together, and of arcspan_set_material(); each takes about 2 KB. */
+  /* Different materials of all binaries together, and those that arcspan_set_material() and
+   * arcspan_set_opacity() make of them; each takes about 2 KB. */
   uint16_t materials;
 } arcspan_scene_limits;
 
@@ -187,9 +188,11 @@ arcspan_status arcspan_set_visible(arcspan_scene* scene, arcspan_object object, 
  *   ARCSPAN_UNSUPPORTED        the object is one of arcspan_add_model() */
 arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
                                     const arcspan_material* material);
-/* Lets what is behind an object or character show through: 1 is opaque, 0 nothing of it, in steps of 1/32. It
- * keeps its material. Translucent objects are drawn after all others, the farthest first. Returns as
- * arcspan_set_material(), and ARCSPAN_UNSUPPORTED if opacity is not compiled. */
+/* The opacity of an object or character, whose materials stay: with 1 it hides what is behind it, with 0 it
+ * does not show, in steps of 1/32. Translucent objects are drawn after all others, the farthest first. Their
+ * outlines and ink stay, and arcspan_pick() finds them; arcspan_set_visible() hides all. Returns the statuses
+ * of arcspan_set_material(), ARCSPAN_INVALID_ARGUMENT also if `opacity` is above 1, and ARCSPAN_UNSUPPORTED
+ * if opacity is not compiled. */
 arcspan_status arcspan_set_opacity(arcspan_scene* scene, arcspan_object object, arcspan_share opacity);
 
 typedef struct {
@@ -329,7 +332,8 @@ typedef uint8_t arcspan_format;
 #define ARCSPAN_RGB888 2   /* bytes R, G, B */
 #define ARCSPAN_BGR888 3   /* bytes B, G, R */
 #define ARCSPAN_XRGB8888 4 /* bytes B, G, R and one that is 0 */
-#define ARCSPAN_ARGB8888 5 /* bytes B, G, R and 255, or less where smooth outlines cover a pixel in part */
+#define ARCSPAN_ARGB8888 \
+  5 /* bytes B, G, R and 255, or less where outlines or opacity cover a pixel in part */
 #define ARCSPAN_GRAY8 6
 #define ARCSPAN_GRAY4 7 /* two pixels per byte, the left one in the upper bits */
 #define ARCSPAN_MONO 8  /* eight pixels per byte, the leftmost in the highest bit */

@@ -46,9 +46,9 @@ struct Stage {
   arcspan_character* character = nullptr;
   arcspan_object held = 0;
 
-  explicit Stage(const arcspan_look* look = nullptr)
+  explicit Stage(const arcspan_look* look = nullptr, std::uint16_t materials = 9)
       : memory(arcspan_character_bytes(kWalker, kWalkerBytes)) {
-    const arcspan_scene_limits limits{6, 9};
+    const arcspan_scene_limits limits{6, materials};
     scene_memory.resize(arcspan_scene_bytes(&limits));
     REQUIRE(arcspan_scene_make(scene_memory.data(), scene_memory.size(), &limits, &scene) == ARCSPAN_OK);
     REQUIRE(arcspan_add_model(scene, &ball, &held) == ARCSPAN_OK);
@@ -217,6 +217,22 @@ TEST_CASE("a character is translucent while it moves, and opaque again") {
   }
   REQUIRE(arcspan_set_opacity(stage.scene, object, ARCSPAN_SHARE(1)) == ARCSPAN_OK);
   CHECK((stage.drawn() == opaque.drawn()));
+}
+
+TEST_CASE("parts of a character share a material that is made anew where another was") {
+  const arcspan_material red{{6000, 0, 0}, {30000, 0, 0}, {0, 0, 0}, 1};
+  Stage roomy;
+  Stage full(nullptr, 5);
+  for (const arcspan_share opacity :
+       {ARCSPAN_SHARE(1), ARCSPAN_SHARE(0.5), ARCSPAN_SHARE(0.75), ARCSPAN_SHARE(1)}) {
+    CAPTURE(opacity);
+    for (const Stage* each : {&roomy, &full}) {
+      const arcspan_object object = arcspan_object_of(each->character);
+      REQUIRE(arcspan_set_material(each->scene, object, &red) == ARCSPAN_OK);
+      REQUIRE(arcspan_set_opacity(each->scene, object, opacity) == ARCSPAN_OK);
+    }
+    CHECK((full.drawn() == roomy.drawn()));
+  }
 }
 
 TEST_CASE("an object that is attached follows the node through the character's placement") {

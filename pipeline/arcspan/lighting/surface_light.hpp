@@ -121,7 +121,7 @@ class SurfaceLight : protected FadeFor<Features>,
       if ((specular[0] | specular[1] | specular[2]) == 0) return {packed_levels(diffuse), {}};
       // Both add up to surface_colour(), because what packing drops of the highlight goes to the diffuse
       // part.
-      unrolled<3>([&](auto c) { diffuse[c] += specular[c] & ((1u << 18) - 1); });
+      unrolled<3>([&](auto c) { diffuse[c] += specular[c] & ((std::uint32_t{1} << 18) - 1); });
       return {packed_levels(diffuse), packed_levels(specular, 0)};
     }
   }
@@ -227,7 +227,8 @@ class SurfaceLight : protected FadeFor<Features>,
   }
   /// The colour of these levels, saturated, after `half` was added to each: half an 8-bit step by default.
   [[nodiscard]] ARCSPAN_INLINE static constexpr PackedRgb packed_levels(const ChannelLevels& levels,
-                                                                        std::uint32_t half = 1u << 19) {
+                                                                        std::uint32_t half = std::uint32_t{1}
+                                                                                             << 19) {
     const auto level = [&levels, half](std::size_t channel) {
       const std::uint32_t rounded = (levels[channel] + half) >> 18;
       return rounded > 1023 ? 1023u : rounded;

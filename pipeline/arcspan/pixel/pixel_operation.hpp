@@ -65,7 +65,8 @@ enum class Blend : std::uint8_t {
 };
 
 /// Blends a surface with what was drawn before it, by a constant opacity and by the alpha of its texels. It
-/// is to be drawn after everything behind it, the farthest first.
+/// is to be drawn after everything behind it, the farthest first, as draw_scene() does. kAdd and kMultiply
+/// make pixels of Argb8888 opaque.
 template <Blend Mode = Blend::kAlpha>
 struct Opacity {
   std::uint32_t opacity = 32;  ///< 0...32

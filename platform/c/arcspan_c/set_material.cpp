@@ -86,11 +86,12 @@ void show(arcspan_scene& scene, std::size_t part, std::uint16_t index) {
   if (!has_room(scene, wanted(scene, drawn, first, end), first, end)) return ARCSPAN_BUFFER_TOO_SMALL;
   for (std::size_t i = first; i < end; ++i) {
     const c::MaterialSource source = source_of(scene, i, drawn);
-    if (c::is_same(source, scene.materials[scene.shown[i]].source)) continue;
-    std::uint16_t index = c::kNotMade;
-    const Status status = c::find_or_make_material(scene, source, {scene.object_count, i, end}, index);
-    if (!ok(status)) return static_cast<arcspan_status>(status);  // not reached: there is room
-    show(scene, i, index);
+    std::uint16_t index = scene.shown[i];
+    if (!c::is_same(source, scene.materials[index].source)) {
+      const Status status = c::find_or_make_material(scene, source, {scene.object_count, i, end}, index);
+      if (!ok(status)) return static_cast<arcspan_status>(status);  // not reached: there is room
+    }
+    show(scene, i, index);  // in any case: an earlier part may have made it anew, for another method
   }
   return ARCSPAN_OK;
 }

@@ -125,10 +125,12 @@ struct OperationSmall {
 template <class Coloured, class Operation>
 struct WithOperation : Coloured {
   static_assert(!DrawsEdges<Coloured>, "operations go inside: Wireframe<WithOperation<Unlit, Operation>>");
+  /// @cond for draw_scene(), not in the reference
   /// Scenes draw what is blended with the pixels below after all that is not.
   static constexpr bool kBlends = requires(const Operation& operation) {
     requires BlendedColour<decltype(detail::in_row(operation, 0, 0)(PackedRgb()))>;
   };
+  /// @endcond
   using Method = Coloured;
   using DrawsSmallTrianglesAs = std::conditional_t<DrawsSmallTriangles<Method>, WithOperation, void>;
   /// The lighting of the method with the parameters of the operation.

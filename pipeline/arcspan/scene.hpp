@@ -111,7 +111,7 @@ template <SceneMemoryType Memory>
 inline constexpr PartVertices kVerticesIn =
     Memory::kHasVertices ? PartVertices::kInSlot : PartVertices::kNotKept;
 
-/// What the passes over a prepared scene have in common.
+/// What draw_pass() draws and where, but for the depth, which a pass over blended parts only reads.
 template <class Target, class Memory, class Sink>
 struct SceneCall {
   Memory& memory;

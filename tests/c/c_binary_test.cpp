@@ -660,7 +660,7 @@ TEST_CASE("an object keeps its opacity with another material, and its material w
   CHECK((opacity(ARCSPAN_SHARE(1)) == before));
   CHECK((material(&red) == all_red));
   CHECK((opacity(ARCSPAN_SHARE(0.5)) == faint_red));
-  // What is set again is not prepared again.
+  // Setting the same material or opacity once more leaves the prepared material as it is, also a wrong byte.
   unsigned char& byte = scene.scene->materials[scene.scene->shown[object]].prepared[100];
   const unsigned char before_change = byte;
   byte = static_cast<unsigned char>(~byte);

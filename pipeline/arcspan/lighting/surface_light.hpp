@@ -268,7 +268,8 @@ class SurfaceLight : protected FadeFor<Features>,
     }
     if constexpr (I + 1 < Lights) add_coloured<I + 1>(scalars, diffuse, specular);
   }
-  /// The same for channel_light(): `highlight` is in steps of a 5-6-5 pixel with 23 fraction bits.
+  /// Adds the lights from the I-th on to the sums of channel_light(): `diffuse` as add_coloured() does,
+  /// `highlight` in steps of the channel of a 5-6-5 pixel, 23 fraction bits.
   template <std::size_t I = 0>
   ARCSPAN_INLINE constexpr void add_channel_light(const Scalars& scalars, ChannelLevels& diffuse,
                                                   ChannelLevels& highlight) const {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <arcspan/scene/scene_memory.hpp>
+#include <arcspan/scene/scene_pass.hpp>
+
 #include <arcspan_c/model.hpp>
 #include <arcspan_c/new_object.hpp>
 
@@ -6,23 +9,13 @@
 
 using namespace arcspan;
 
-namespace {
-
-/// Whether the method of a material is compiled, for the layout of its texture.
-template <class... Chosen>
-[[nodiscard]] bool is_compiled(c::ChoiceList<Chosen...>, const SceneMaterial& material) {
-  return ((material.use() == &detail::kUseFacts<typename detail::UseOf<typename Chosen::Method>::Type>) ||
-          ...);
-}
-
-}  // namespace
-
 arcspan_status arcspan_add_model(arcspan_scene* scene, const arcspan_model* model, arcspan_object* object) {
+  using Compiled = SceneMemoryView<c::CompiledMethods>::UseList;
   c::NewObject added(*scene);
   Status status = Status::kOk;
   for (std::size_t i = 0; i < model->count && ok(status); ++i) {
     const c::ModelPart& part = model->parts[i];
-    if (!is_compiled(c::AllChoices{}, *part.material)) status = Status::kUnsupported;
+    if (!detail::is_for(Compiled{}, *part.material)) status = Status::kUnsupported;
     MeshView mesh;
     if (ok(status)) status = part.make_view(mesh);
     MeshNeighbours neighbours;

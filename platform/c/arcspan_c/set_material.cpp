@@ -15,6 +15,12 @@ using namespace arcspan;
 
 namespace {
 
+/// The parts of an object, by their places in the scene.
+struct PartRange {
+  std::size_t first;
+  std::size_t end;
+};
+
 /// How all parts of an object are drawn.
 struct Drawn {
   bool by_own;        ///< each by its own material
@@ -22,10 +28,10 @@ struct Drawn {
   std::uint8_t opacity;
 };
 
-/// How the parts first ... end - 1, which are those of an object, are drawn now.
-[[nodiscard]] Drawn drawn_now(const arcspan_scene& scene, std::size_t first, std::size_t end) {
-  Drawn drawn{true, {}, scene.materials[scene.shown[first]].source.opacity};
-  for (std::size_t i = first; i < end && drawn.by_own; ++i) {
+/// How the parts of an object are drawn now.
+[[nodiscard]] Drawn drawn_now(const arcspan_scene& scene, const PartRange& parts) {
+  Drawn drawn{true, {}, scene.materials[scene.shown[parts.first]].source.opacity};
+  for (std::size_t i = parts.first; i < parts.end && drawn.by_own; ++i) {
     drawn.material = scene.materials[scene.shown[i]].source.material;
     drawn.by_own = c::is_same(drawn.material, scene.materials[scene.own[i]].source.material);
   }
@@ -40,25 +46,24 @@ struct Drawn {
   return source;
 }
 
-/// How many materials must be made for the parts first ... end - 1 of an object to be drawn so.
-[[nodiscard]] std::size_t wanted(const arcspan_scene& scene, const Drawn& drawn, std::size_t first,
-                                 std::size_t end) {
+/// How many materials must be made for the parts of an object to be drawn so.
+[[nodiscard]] std::size_t wanted(const arcspan_scene& scene, const Drawn& drawn, const PartRange& parts) {
   std::size_t count = 0;
-  for (std::size_t i = first; i < end; ++i) {
+  for (std::size_t i = parts.first; i < parts.end; ++i) {
     const c::MaterialSource source = source_of(scene, i, drawn);
-    bool has = c::find_material(scene, source, {scene.object_count, first, end}) != c::kNotMade;
-    for (std::size_t j = first; j < i && !has; ++j) has = c::is_same(source_of(scene, j, drawn), source);
+    bool has = c::find_material(scene, source, {scene.object_count, parts.first, parts.end}) != c::kNotMade;
+    for (std::size_t j = parts.first; j < i && !has; ++j)
+      has = c::is_same(source_of(scene, j, drawn), source);
     if (!has) ++count;
   }
   return count;
 }
 
 /// Whether so many materials can be made.
-[[nodiscard]] bool has_room(const arcspan_scene& scene, std::size_t count, std::size_t first,
-                            std::size_t end) {
+[[nodiscard]] bool has_room(const arcspan_scene& scene, std::size_t count, const PartRange& parts) {
   std::size_t free = scene.limits.materials;
   for (std::uint16_t i = 0; i < scene.material_count; ++i) {
-    if (c::is_kept(scene, i, {scene.object_count, first, end})) --free;
+    if (c::is_kept(scene, i, {scene.object_count, parts.first, parts.end})) --free;
   }
   return count <= free;
 }
@@ -80,15 +85,15 @@ void show(arcspan_scene& scene, std::size_t part, std::uint16_t index) {
   object.set_material(material);
 }
 
-/// Draws the parts first ... end - 1 of an object so; if there is no room, they are drawn as before.
-[[nodiscard]] arcspan_status draw_as(arcspan_scene& scene, const Drawn& drawn, std::size_t first,
-                                     std::size_t end) {
-  if (!has_room(scene, wanted(scene, drawn, first, end), first, end)) return ARCSPAN_BUFFER_TOO_SMALL;
-  for (std::size_t i = first; i < end; ++i) {
+/// Draws the parts of an object so; if there is no room, they are drawn as before.
+[[nodiscard]] arcspan_status draw_as(arcspan_scene& scene, const Drawn& drawn, const PartRange& parts) {
+  if (!has_room(scene, wanted(scene, drawn, parts), parts)) return ARCSPAN_BUFFER_TOO_SMALL;
+  for (std::size_t i = parts.first; i < parts.end; ++i) {
     const c::MaterialSource source = source_of(scene, i, drawn);
     std::uint16_t index = scene.shown[i];
     if (!c::is_same(source, scene.materials[index].source)) {
-      const Status status = c::find_or_make_material(scene, source, {scene.object_count, i, end}, index);
+      const Status status =
+          c::find_or_make_material(scene, source, {scene.object_count, i, parts.end}, index);
       if (!ok(status)) return static_cast<arcspan_status>(status);  // not reached: there is room
     }
     show(scene, i, index);  // in any case: an earlier part may have made it anew, for another method
@@ -96,10 +101,12 @@ void show(arcspan_scene& scene, std::size_t part, std::uint16_t index) {
   return ARCSPAN_OK;
 }
 
-/// Whether the materials of the parts first ... end - 1 can be changed.
-[[nodiscard]] arcspan_status check_parts(const arcspan_scene& scene, std::size_t first, std::size_t end) {
-  if (first == end) return ARCSPAN_INVALID_ARGUMENT;
-  for (std::size_t i = first; i < end; ++i) {
+/// Sets `parts` to those of an object. Returns the status of arcspan_set_material() if there is no such
+/// object, or if it has materials in flash.
+[[nodiscard]] arcspan_status find_parts(const arcspan_scene& scene, arcspan_object object, PartRange& parts) {
+  parts = {object, object + scene.parts_of(object).size()};
+  if (parts.first == parts.end) return ARCSPAN_INVALID_ARGUMENT;
+  for (std::size_t i = parts.first; i < parts.end; ++i) {
     if (scene.own[i] == c::kNotMade) return ARCSPAN_UNSUPPORTED;
   }
   return ARCSPAN_OK;
@@ -109,31 +116,29 @@ void show(arcspan_scene& scene, std::size_t part, std::uint16_t index) {
 
 arcspan_status arcspan_set_material(arcspan_scene* scene, arcspan_object object,
                                     const arcspan_material* material) {
-  const std::size_t first = object;
-  const std::size_t end = first + scene->parts_of(object).size();
-  const arcspan_status status = check_parts(*scene, first, end);
+  PartRange parts{};
+  const arcspan_status status = find_parts(*scene, object, parts);
   if (status != ARCSPAN_OK) return status;
-  Drawn drawn = drawn_now(*scene, first, end);
+  Drawn drawn = drawn_now(*scene, parts);
   drawn.by_own = material == nullptr;
   if (material != nullptr) {
     drawn.material = c::material_of(*material);
     if (!arcspan::detail::in_range(drawn.material)) return ARCSPAN_INVALID_ARGUMENT;
   }
-  return draw_as(*scene, drawn, first, end);
+  return draw_as(*scene, drawn, parts);
 }
 
 arcspan_status arcspan_set_opacity([[maybe_unused]] arcspan_scene* scene,
                                    [[maybe_unused]] arcspan_object object,
                                    [[maybe_unused]] arcspan_share opacity) {
 #if ARCSPAN_C_OPACITY
-  const std::size_t first = object;
-  const std::size_t end = first + scene->parts_of(object).size();
-  const arcspan_status status = check_parts(*scene, first, end);
+  PartRange parts{};
+  const arcspan_status status = find_parts(*scene, object, parts);
   if (status != ARCSPAN_OK) return status;
   if (opacity > ARCSPAN_SHARE(1)) return ARCSPAN_INVALID_ARGUMENT;
-  Drawn drawn = drawn_now(*scene, first, end);
+  Drawn drawn = drawn_now(*scene, parts);
   drawn.opacity = static_cast<std::uint8_t>((opacity + 512) >> 10);
-  return draw_as(*scene, drawn, first, end);
+  return draw_as(*scene, drawn, parts);
 #else
   return ARCSPAN_UNSUPPORTED;
 #endif

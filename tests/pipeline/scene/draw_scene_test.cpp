@@ -9,12 +9,18 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 using namespace arcspan;
 using namespace arcspan::test;
 
 namespace {
+
+// prepare_scene() would keep a reference to it.
+static_assert(std::is_constructible_v<Scene, const Camera&, LightList, std::span<const Object>>);
+static_assert(!std::is_constructible_v<Scene, Camera, LightList, std::span<const Object>>);
 
 Random mesh_random(1821);
 const TestMesh kBall = make_sphere(8, 12, 32000, 0, mesh_random);

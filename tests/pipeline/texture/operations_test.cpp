@@ -519,7 +519,7 @@ TEST_CASE("over pixels that are not opaque a surface is blended into the alpha",
   }
   CHECK(draw(0x00123456u, 32) == 0xFFFA8203u);
   CHECK(draw(0x80123456u, 0) == 0x80123456u);
-  // As in the format without alpha.
+  // Over opaque pixels the colour is that of Xrgb8888.
   for (const std::uint32_t opacity : {0u, 5u, 16u, 32u}) {
     const auto colour = Opacity<>{opacity}(PackedRgb::of(kSurface));
     CHECK(draw(0xFF1060F0u, opacity) == (detail::operated<Xrgb8888>(colour, 0x1060F0u, 0, 0) | 0xFF000000u));

@@ -526,6 +526,20 @@ TEST_CASE("over pixels that are not opaque a surface is blended into the alpha",
   }
 }
 
+TEST_CASE("quotients of alpha are those of a division, at every step", "[textures]") {
+  std::size_t wrong = 0;
+  for (std::uint32_t d = 1; d <= 8160; d += d < 300 ? 1 : 7) {
+    const Reciprocal of_d = nonzero_reciprocal(d);
+    for (std::uint32_t q = 0; q < 255; ++q) {
+      // On both sides of where rounding goes up to q + 1.
+      const std::uint32_t up = q * d + d - d / 2;
+      for (const std::uint32_t n : {up - 1, up})
+        wrong += detail::rounded_quotient(n, d, of_d) != (n + d / 2) / d;
+    }
+  }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("an opaque colour and a pixel below nothing keep all bits", "[textures]") {
   for (std::uint32_t level = 0; level < 1024; level += 31) {
     const PackedRgb surface = PackedRgb::of(level, 1023 - level, level ^ 511);

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 #include <vector>
@@ -59,6 +60,24 @@ class SlowSpi final : public SpiBus {
   Status do_start(std::span<const std::uint8_t>) override { return ++starts, start_result; }
   Status do_poll() override { return polls_left-- > 0 ? Status::kBusy : result; }
   void do_abort() override { ++aborts; }
+};
+
+/// Gives the processor away while it waits, as on an operating system, for `nap` microseconds at a time.
+class SleepingSpi final : public SpiBus {
+ public:
+  explicit SleepingSpi(std::uint32_t nap) : nap_(nap) {}
+  int polls_left = 0;
+  std::vector<std::uint32_t> lefts;
+
+ private:
+  Status do_write(std::span<const std::uint8_t>) override { return Status::kOk; }
+  Status do_start(std::span<const std::uint8_t>) override { return Status::kOk; }
+  Status do_poll() override { return polls_left-- > 0 ? Status::kBusy : Status::kOk; }
+  void do_pause(Clock& clock, std::uint32_t left_us) override {
+    lefts.push_back(left_us);
+    clock.delay_us(std::min(nap_, left_us));
+  }
+  std::uint32_t nap_;
 };
 
 class CountingI2c final : public I2cBus {
@@ -152,6 +171,23 @@ TEST_CASE("waiting gives a transfer up at its limit, also when the clock wraps m
   SECTION("limit out of range") {
     CHECK(bus.wait(clock, 0x8000'0000U) == Status::kInvalidArgument);
     CHECK(bus.under_way());
+  }
+}
+
+TEST_CASE("a bus that gives the processor away is told how long the transfer may still take") {
+  using Lefts = std::vector<std::uint32_t>;
+  const std::uint32_t begin = GENERATE(0U, UINT32_MAX - 15U);
+  ManualClock clock(begin);
+  SleepingSpi bus(40);
+  bus.polls_left = 3;
+  REQUIRE(bus.start(kBytes) == Status::kOk);
+  SECTION("in time") {
+    CHECK(bus.wait(clock, 1000) == Status::kOk);
+    CHECK(bus.lefts == Lefts{1000, 960, 920});
+  }
+  SECTION("too late") {
+    CHECK(bus.wait(clock, 60) == Status::kTimeout);
+    CHECK(bus.lefts == Lefts{60, 20});
   }
 }
 

@@ -30,12 +30,13 @@ Status SpiBus::wait(Clock& clock, std::uint32_t limit_us) {
   Status status = poll();
   while (status == Status::kBusy) {
     // The unsigned difference is right even if the counter wraps while waiting.
-    if (clock.now_us() - begin >= limit_us) {
+    const std::uint32_t passed = clock.now_us() - begin;
+    if (passed >= limit_us) {
       do_abort();
       under_way_ = false;
       return Status::kTimeout;
     }
-    clock.delay_us(kPollIntervalUs);
+    do_pause(clock, limit_us - passed);
     status = poll();
   }
   return status;

@@ -21,7 +21,7 @@ namespace arcspan::hal {
 /// `wait` that does not return kBusy. Not for interrupt handlers or concurrent threads.
 class SpiBus {
  public:
-  /// Microseconds between two polls in `wait`.
+  /// Microseconds between two polls in `wait`, unless the board blocks the task instead (`do_pause`).
   static constexpr std::uint32_t kPollIntervalUs = 10;
 
   /// Sends `bytes` and returns after the last bit. After a failure it is unknown how many bytes the device
@@ -58,6 +58,13 @@ class SpiBus {
   virtual Status do_start(std::span<const std::uint8_t> bytes) { return do_write(bytes); }
   /// kBusy, or the result of the transfer that `do_start` began.
   virtual Status do_poll() { return Status::kOk; }
+  /// Called by `wait` between two polls: gives the processor away until the transfer may have ended, for
+  /// `left_us` microseconds at most, 1 ... 2^31 - 1. An operating system waits here for a semaphore that the
+  /// interrupt at the end of the transfer gives; returning early is harmless.
+  virtual void do_pause(Clock& clock, std::uint32_t left_us) {
+    (void)left_us;
+    clock.delay_us(kPollIntervalUs);
+  }
   /// Aborts the transfer. `bytes` is not read after this returns.
   virtual void do_abort() {}
 

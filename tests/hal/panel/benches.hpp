@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/hal/panel/custom_dcs_panel.hpp>
 #include <arcspan/hal/panel/ili9341.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>
 #include <arcspan/hal/panel/ssd0323.hpp>
@@ -56,6 +57,21 @@ struct St7789Bench : SpiBench<St7789, sim::DcsModel> {
   explicit St7789Bench(const PanelSettings& s = {},
                        const Glass& g = {135, 240, 52, 30, false, false, false, true})
       : SpiBench(g, s) {}
+};
+/// A controller of another size with commands of its own, and a glass at odd offsets, as of small modules.
+struct CustomDcsBench {
+  static constexpr std::uint8_t kCommands[] = {0xB4, 1, 0x07, 0xE3, 0, 0xE0, 4, 0x02, 0x1C, 0x07, 0x12};
+  static constexpr DcsController kController{132, 162, kCommands};
+  explicit CustomDcsBench(const PanelSettings& s = {},
+                          const Glass& g = {128, 160, 2, 1, true, true, true, false})
+      : device(g, kController), panel(bus, bus.dc, &bus.reset, clock, kController, g, s) {}
+  using Driver = CustomDcsPanel;
+  static constexpr bool kPins = true;
+  sim::SimulatedClock clock;
+  sim::DcsModel device;
+  sim::SimulatedSpi bus{device, clock, kHertz};
+  CustomDcsPanel panel;
+  void lose_reset() { device.lose_reset_line(); }
 };
 struct Ssd1351Bench : SpiBench<Ssd1351, sim::Ssd1351Model> {
   explicit Ssd1351Bench(const PanelSettings& s = {}, const Glass& g = kSsd1351Module) : SpiBench(g, s) {}

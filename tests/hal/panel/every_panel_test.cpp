@@ -13,9 +13,9 @@ using namespace arcspan;
 using namespace arcspan::hal;
 using namespace arcspan::hal::bench;
 
-#define ARCSPAN_EVERY_PANEL                                                                     \
-  Ili9341Bench, St7789Bench, Ssd1351Bench, Ssd1351SmallBench, Ssd0323Bench, Ssd0323MiddleBench, \
-      Ssd1306Bench, Ssd1306I2cBench
+#define ARCSPAN_EVERY_PANEL                                                                 \
+  Ili9341Bench, St7789Bench, CustomDcsBench, Ssd1351Bench, Ssd1351SmallBench, Ssd0323Bench, \
+      Ssd0323MiddleBench, Ssd1306Bench, Ssd1306I2cBench
 
 namespace {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What goes over the wires of each panel, byte by byte: written from the datasheets' command tables and not
 // from the drivers, and with the waits, which the models only know as limits.
+#include <arcspan/hal/panel/custom_dcs_panel.hpp>
 #include <arcspan/hal/panel/ili9341.hpp>
 #include <arcspan/hal/panel/page_mode.hpp>
 #include <arcspan/hal/panel/ssd0323.hpp>
@@ -99,6 +100,57 @@ TEST_CASE("ST7789: the wires of a glass of 240 x 240 turned by half, at the far 
   CHECK(panel.start() == Status::kOk);
   CHECK(send_dotted(panel, {0, 255, 0}, {255, 255, 255}) == Status::kOk);
   CHECK(mock.finish() == "");
+}
+
+TEST_CASE("a controller's own commands are sent before the settings, and again after a failure") {
+  static constexpr std::uint8_t kCommands[] = {0xC0, 2, 0x17, 0x15, 0x35, 1, 0x00, 0xE3, 0};
+  const Script settings =
+      "command c0\ndata 17 15\n"
+      "command 35\ndata 00\n"
+      "command e3\n"
+      "command 3a\ndata 55\n"
+      "command 36\ndata 00\n"
+      "command 13\n"
+      "command 20\n"
+      "command 51\ndata ff\n"
+      "command 53\ndata 24\n"
+      "command 29\n";
+  const Script window =
+      "command 2a\ndata 00 00 01 3f\n"
+      "command 2b\ndata 00 00 01 df\n"
+      "command 2c\n";
+  MockWires mock(kDcsReset.substr(0, kDcsReset.find("command 3a")) + settings + window +
+                 "data 07 e0 00 00 = transfer short\n" + settings.substr(0, settings.find("command 35")) +
+                 "command 35 = transfer failed\n" + settings + window + "data 07 e0\ndata 00 00 x153599\n");
+  CustomDcsPanel panel(mock.spi(), mock.data_or_command(), &mock.output("reset"), mock.clock(),
+                       {320, 480, kCommands}, {320, 480});
+  CHECK(panel.start() == Status::kOk);
+  CHECK(send_dotted(panel, {0, 0, 0}, {0, 255, 0}) == Status::kTransferShort);
+  CHECK(send_dotted(panel, {0, 0, 0}, {0, 255, 0}) == Status::kTransferFailed);
+  CHECK(send_dotted(panel, {0, 0, 0}, {0, 255, 0}) == Status::kOk);
+  CHECK(mock.finish() == "");
+}
+
+TEST_CASE(
+    "a malformed table of commands, and a glass beyond the memory, are refused before anything is sent") {
+  using Table = std::vector<std::uint8_t>;
+  const auto start = [](const Table& commands, const Glass& glass) {
+    MockWires mock("");
+    CustomDcsPanel panel(mock.spi(), mock.data_or_command(), nullptr, mock.clock(), {132, 162, commands},
+                         glass);
+    const Status status = panel.start();
+    CHECK(mock.finish() == "");
+    return status;
+  };
+  const Glass small{128, 160, 4, 2};
+  const auto commands = GENERATE(Table{0xC0},                              // no number of parameters
+                                 Table{0xC0, 2, 0x17},                     // a parameter is missing
+                                 Table{0xE3, 0, 0xC0, 255, 1, 2},          // many are
+                                 Table{0x01, 0}, Table{0xE3, 0, 0x10, 0},  // reset, sleep in
+                                 Table{0x11, 0, 0xE3, 0});                 // sleep out
+  CHECK(start(commands, small) == Status::kInvalidArgument);
+  CHECK(start({}, {128, 160, 5, 2}) == Status::kInvalidArgument);
+  CHECK(start({}, {128, 160, 4, 3}) == Status::kInvalidArgument);
 }
 
 TEST_CASE("SSD1351: the wires of a start and a frame") {

@@ -72,8 +72,9 @@ Status DcsPanel::open_window(const Rect& area) {
   const Orientation o = settings().orientation;
   // A mirrored axis counts from the other end of the memory, so the margin at that end comes first.
   const std::int32_t column_margin =
-      mirrors_columns(g, o) ? kColumns - g.width - g.column_offset : g.column_offset;
-  const std::int32_t row_margin = mirrors_rows(g, o) ? kRows - g.height - g.row_offset : g.row_offset;
+      mirrors_columns(g, o) ? std::int32_t{columns_} - g.width - g.column_offset : g.column_offset;
+  const std::int32_t row_margin =
+      mirrors_rows(g, o) ? std::int32_t{rows_} - g.height - g.row_offset : g.row_offset;
   const std::int32_t x = turned() ? row_margin : column_margin;
   const std::int32_t y = turned() ? column_margin : row_margin;
   const auto address = [](std::int32_t margin, std::int32_t at) {

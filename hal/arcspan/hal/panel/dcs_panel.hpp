@@ -9,27 +9,35 @@
 
 namespace arcspan::hal {
 
-/// Common base of Ili9341 and St7789: 240 x 320 pixels of 16 bits behind the MIPI display command set, 4-wire
-/// SPI.
+/// Common base of Ili9341, St7789 and CustomDcsPanel: pixels of 16 bits behind the MIPI display command set,
+/// 4-wire SPI.
 ///
-/// The controller performs all four orientations. Voltages and gamma keep their reset values. Brightness has
-/// an effect only if the controller drives the backlight.
+/// The controller performs all four orientations. Voltages and gamma keep their reset values unless a
+/// CustomDcsPanel sets them. Brightness has an effect only if the controller drives the backlight.
 class DcsPanel : public Panel {
  public:
   using Layout = BigEndianRgb565;
-  static constexpr std::int32_t kColumns = 240;
-  static constexpr std::int32_t kRows = 320;
 
  protected:
-  DcsPanel(SpiBus& bus, OutputPin& data_or_command, OutputPin* reset, Clock& clock, const Glass& glass,
-           const PanelSettings& settings)
-      : Panel(glass, settings, clock), port_(bus, data_or_command), reset_(reset) {}
+  /// `columns` and `rows` of the controller's memory.
+  DcsPanel(SpiBus& bus, OutputPin& data_or_command, OutputPin* reset, Clock& clock, std::uint16_t columns,
+           std::uint16_t rows, const Glass& glass, const PanelSettings& settings)
+      : Panel(glass, settings, clock),
+        port_(bus, data_or_command),
+        reset_(reset),
+        columns_(columns),
+        rows_(rows) {}
   ~DcsPanel() = default;
 
- private:
-  [[nodiscard]] bool do_fits() const override { return glass().fits(kColumns, kRows); }
-  Status do_reset() override { return reset(); }
+  [[nodiscard]] bool do_fits() const override { return glass().fits(columns_, rows_); }
   Status do_configure() override { return configure(); }
+
+  Status send(std::uint8_t opcode, std::span<const std::uint8_t> parameters) {
+    return port_.command(opcode, parameters);
+  }
+
+ private:
+  Status do_reset() override { return reset(); }
   Status do_sleep() override { return send_sleep(); }
   Status do_wake() override { return send_wake(); }
   [[nodiscard]] bool do_takes(const Rect& area, std::size_t bytes) const override {
@@ -39,7 +47,7 @@ class DcsPanel : public Panel {
   Status do_start_pixels(std::span<const std::uint8_t> wire) override { return port_.start_data(wire); }
   Status do_wait(std::uint32_t limit_us) override { return port_.bus().wait(clock(), limit_us); }
 
-  Status send(const dcs::Command& command) { return port_.command(command.opcode, command.parameters()); }
+  Status send(const dcs::Command& command) { return send(command.opcode, command.parameters()); }
   Status pulse_reset();
 
   // The hooks are inline and call these, so that no key function ties the type information to the library: a
@@ -53,6 +61,8 @@ class DcsPanel : public Panel {
 
   CommandPort port_;
   OutputPin* reset_;
+  std::uint16_t columns_;
+  std::uint16_t rows_;
 };
 
 }  // namespace arcspan::hal

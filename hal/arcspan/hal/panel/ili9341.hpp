@@ -14,7 +14,7 @@ class Ili9341 final : public DcsPanel {
   /// `reset` is active low and null if not connected. All referenced objects must outlive the panel.
   Ili9341(SpiBus& bus, OutputPin& data_or_command, OutputPin* reset, Clock& clock,
           const Glass& glass = kIli9341Module, const PanelSettings& settings = {})
-      : DcsPanel(bus, data_or_command, reset, clock, glass, settings) {}
+      : DcsPanel(bus, data_or_command, reset, clock, 240, 320, glass, settings) {}
 };
 
 }  // namespace arcspan::hal

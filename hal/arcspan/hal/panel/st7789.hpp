@@ -15,7 +15,7 @@ class St7789 final : public DcsPanel {
   /// `reset` is active low and null if not connected. All referenced objects must outlive the panel.
   St7789(SpiBus& bus, OutputPin& data_or_command, OutputPin* reset, Clock& clock,
          const Glass& glass = kSt7789Module, const PanelSettings& settings = {})
-      : DcsPanel(bus, data_or_command, reset, clock, glass, settings) {}
+      : DcsPanel(bus, data_or_command, reset, clock, 240, 320, glass, settings) {}
 };
 
 }  // namespace arcspan::hal

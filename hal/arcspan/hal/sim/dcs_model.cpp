@@ -16,7 +16,7 @@ constexpr unsigned kSwapAxes = 0x20;
 constexpr unsigned kBlueFirst = 0x08;
 
 /// Number of parameters of a modelled command, or -1 for any other.
-int parameter_count(std::uint8_t opcode) {
+int modelled_parameters(std::uint8_t opcode) {
   switch (opcode) {
     case 0x01:
     case 0x10:
@@ -44,9 +44,22 @@ int parameter_count(std::uint8_t opcode) {
 
 }  // namespace
 
-DcsModel::DcsModel(const Glass& glass) : DisplayModel(glass), memory_(kColumns * kRows) {
+DcsModel::DcsModel(const Glass& glass, const DcsController& controller)
+    : DisplayModel(glass),
+      controller_(controller),
+      columns_(controller.columns),
+      rows_(controller.rows),
+      memory_(index(columns_ * rows_)) {
   do_scramble();
   do_reset();
+}
+
+int DcsModel::parameter_count(std::uint8_t opcode) const {
+  const std::span<const std::uint8_t> table = controller_.commands;
+  for (std::size_t at = 0; at + 1 < table.size(); at += 2 + std::size_t{table[at + 1]}) {
+    if (table[at] == opcode) return table[at + 1];
+  }
+  return modelled_parameters(opcode);
 }
 
 void DcsModel::do_scramble() {
@@ -66,9 +79,9 @@ void DcsModel::do_reset() {
   address_mode_ = 0;
   brightness_ = 0;
   pixel_format_ = 0x66;
-  columns_[0] = rows_[0] = 0;
-  columns_[1] = kColumns - 1;
-  rows_[1] = kRows - 1;
+  window_columns_[0] = window_rows_[0] = 0;
+  window_columns_[1] = columns_ - 1;
+  window_rows_[1] = rows_ - 1;
 }
 
 void DcsModel::sleep(bool asleep) {
@@ -104,12 +117,14 @@ void DcsModel::begin_memory_write() {
   if (asleep_) complain("pixels in sleep mode are invisible");
   if (pixel_format_ != 0x55 && pixel_format_ != 0x05) complain("pixels in a format that is not 16 bits");
   const bool swapped = (address_mode_ & kSwapAxes) != 0;
-  if (columns_[0] > columns_[1] || columns_[1] >= (swapped ? kRows : kColumns)) complain("bad column window");
-  if (rows_[0] > rows_[1] || rows_[1] >= (swapped ? kColumns : kRows)) complain("bad row window");
+  if (window_columns_[0] > window_columns_[1] || window_columns_[1] >= (swapped ? rows_ : columns_))
+    complain("bad column window");
+  if (window_rows_[0] > window_rows_[1] || window_rows_[1] >= (swapped ? columns_ : rows_))
+    complain("bad row window");
   writing_ = true;
   window_full_ = false;
-  x_ = columns_[0];
-  y_ = rows_[0];
+  x_ = window_columns_[0];
+  y_ = window_rows_[0];
 }
 
 void DcsModel::do_data(std::uint8_t byte) {
@@ -123,12 +138,12 @@ void DcsModel::finish_parameters() {
   const auto word = [this](std::size_t i) { return parameters_[i] << 8 | parameters_[i + 1]; };
   switch (opcode_) {
     case 0x2A:
-      columns_[0] = word(0);
-      columns_[1] = word(2);
+      window_columns_[0] = word(0);
+      window_columns_[1] = word(2);
       break;
     case 0x2B:
-      rows_[0] = word(0);
-      rows_[1] = word(2);
+      window_rows_[0] = word(0);
+      window_rows_[1] = word(2);
       break;
     case 0x36:
       address_mode_ = parameters_[0];
@@ -154,10 +169,10 @@ void DcsModel::pixel_byte(std::uint8_t byte) {
   if (window_full_) complain("more pixels than the window holds");
   window_full_ = false;
   store(static_cast<std::uint16_t>(high_byte_ << 8 | byte));
-  if (++x_ <= columns_[1]) return;
-  x_ = columns_[0];
-  if (++y_ <= rows_[1]) return;
-  y_ = rows_[0];  // a further pixel is a complaint
+  if (++x_ <= window_columns_[1]) return;
+  x_ = window_columns_[0];
+  if (++y_ <= window_rows_[1]) return;
+  y_ = window_rows_[0];  // a further pixel is a complaint
   window_full_ = true;
 }
 
@@ -165,14 +180,14 @@ void DcsModel::store(std::uint16_t encoded) {
   const bool swapped = (address_mode_ & kSwapAxes) != 0;
   int column = swapped ? y_ : x_;
   int row = swapped ? x_ : y_;
-  if ((address_mode_ & kMirrorColumns) != 0) column = kColumns - 1 - column;
-  if ((address_mode_ & kMirrorRows) != 0) row = kRows - 1 - row;
-  if (column < 0 || row < 0 || column >= kColumns || row >= kRows) return;
-  memory_[index(row * kColumns + column)] = encoded;
+  if ((address_mode_ & kMirrorColumns) != 0) column = columns_ - 1 - column;
+  if ((address_mode_ & kMirrorRows) != 0) row = rows_ - 1 - row;
+  if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return;
+  memory_[index(row * columns_ + column)] = encoded;
 }
 
 Rgb8 DcsModel::do_pixel(int column, int row) const {
-  const std::uint16_t stored = memory_[index(row * kColumns + column)];
+  const std::uint16_t stored = memory_[index(row * columns_ + column)];
   const std::uint16_t encoded = inverted_ != glass().inverted ? static_cast<std::uint16_t>(~stored) : stored;
   Rgb8 colour = Rgb565::decode(encoded);
   if (((address_mode_ & kBlueFirst) != 0) != glass().blue_first) std::swap(colour.r, colour.b);

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <arcspan/hal/panel/custom_dcs_panel.hpp>
 #include <arcspan/hal/sim/display_model.hpp>
 
 namespace arcspan::hal::sim {
 
-/// Model of an ILI9341 or ST7789: 240 x 320 pixels behind the MIPI display command set. The two controllers
-/// do not differ in what is modelled here (ILI9341 V1.11, chapter 8; ST7789V, chapter 9).
+/// Model of an ILI9341 or ST7789, which do not differ in what is modelled here (ILI9341 V1.11, chapter 8;
+/// ST7789V, chapter 9), or of another controller with the MIPI display command set.
 class DcsModel final : public DisplayModel {
  public:
-  static constexpr int kColumns = 240;
-  static constexpr int kRows = 320;
-
-  explicit DcsModel(const Glass& glass);
+  /// The commands of `controller` are known and have no effect; they must outlive the model.
+  explicit DcsModel(const Glass& glass, const DcsController& controller = {});
 
   [[nodiscard]] bool awake() const { return !asleep_; }
   [[nodiscard]] std::uint8_t brightness() const { return brightness_; }
@@ -33,6 +32,12 @@ class DcsModel final : public DisplayModel {
   void store(std::uint16_t encoded);
   void sleep(bool asleep);
 
+  /// Number of parameters of a command, or -1 if it is unknown.
+  [[nodiscard]] int parameter_count(std::uint8_t opcode) const;
+
+  DcsController controller_;
+  int columns_;
+  int rows_;
   std::vector<std::uint16_t> memory_;
   std::uint8_t opcode_ = 0;
   std::size_t wanted_ = 0;
@@ -40,8 +45,8 @@ class DcsModel final : public DisplayModel {
   bool writing_ = false;
   bool half_pixel_ = false;
   std::uint8_t high_byte_ = 0;
-  int columns_[2] = {};
-  int rows_[2] = {};
+  int window_columns_[2] = {};
+  int window_rows_[2] = {};
   int x_ = 0;
   int y_ = 0;
   bool window_full_ = false;
